@@ -11,7 +11,7 @@
 #include <lamella/scene/scene.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/warping.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 
 #include <memory>
 #include <numeric>
@@ -106,7 +106,7 @@ namespace lamella
                                                     scene.loads);
       model.factors   = linearized(*model.structure);
       const std::vector<GapConstraint> no_rows;
-      model.u = ContactSolver(model.factors, no_rows).solve_free(1.).u.block(0);
+      model.u = LinearSystem(model.factors, no_rows).solve_free(1.).u.block(0);
       return model;
     }
 

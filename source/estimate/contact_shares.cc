@@ -21,17 +21,17 @@ namespace lamella
     for (GapConstraint &row : rows)
       row.enforcement = Enforcement::exact;
     const GapConstraints view(rows);
-    ContactSolver        solver(run.contact_solver().shared_tangent(),
-                         view,
-                         run.model().scene().solve.loop,
-                         choose_strategy(run.model().scene().solve.strategy,
-                                         run.model().structure(),
-                                         view));
-    const auto          &last    = run.results().last();
-    const LoadFactor    &factor  = last.load_factor;
-    const State          without = solver.release_springs(
-      solver.solve_contact(solver.solve_free(factor), factor, last.state),
-      factor);
+    const auto          &given = run.model().scene().solve;
+    LinearSystem         system(run.linear_system().shared_tangent(),
+                        view,
+                        given.nonlinear,
+                        choose_strategy(given.strategy,
+                                        run.model().structure(),
+                                        view));
+    const auto          &last   = run.results().last();
+    const LoadFactor    &factor = last.load_factor;
+    const State          without =
+      NonlinearSolver(system, given.nonlinear).solve(factor, last.state);
 
     u = without.u;
     u -= last.state.u;

@@ -172,7 +172,7 @@ namespace lamella
     const BlockVector w      = *lifting(goal);
     Pair              result = zero();
     // K w, with the springs.
-    result.u.add(1., model.contact_solver().tangent().apply(w));
+    result.u.add(1., model.linear_system().tangent().apply(w));
     for (unsigned int k = 0; k < active.size(); ++k)
       result.force[k] = -model.model().rows()[active[k]].jump(w);
     return result;
@@ -227,13 +227,13 @@ namespace lamella
       value = -value;
     for (unsigned int round = 0; round < 2; ++round)
       {
-        model.contact_solver().solve_linear(
+        model.linear_system().solve_linear(
           active, left, right, correction.u, correction.force);
         result.u += correction.u;
         for (unsigned int k = 0; k < active.size(); ++k)
           result.force[k] += correction.force[k];
         left = derivative.u;
-        left -= model.contact_solver().tangent().apply(result.u);
+        left -= model.linear_system().tangent().apply(result.u);
         for (unsigned int k = 0; k < active.size(); ++k)
           {
             const GapConstraint &row = model.model().rows()[active[k]];

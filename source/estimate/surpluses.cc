@@ -94,14 +94,14 @@ namespace lamella
   Surpluses::forces_of_part(const BlockVector &v) const
   {
     const BlockVector zero = run.model().structure().zero();
-    PartForces  part_forces{run.contact_solver().tangent().apply(v), jumps(v)};
+    PartForces  part_forces{run.linear_system().tangent().apply(v), jumps(v)};
     const auto &active = run.results().last().state.active;
     if (active.empty())
       return part_forces;
     Vector jump = part_forces.rows;
     jump *= -1.;
     BlockVector unused = zero;
-    run.contact_solver().solve_linear(
+    run.linear_system().solve_linear(
       active, zero, jump, unused, part_forces.rows);
     return part_forces;
   }

@@ -256,12 +256,19 @@ namespace lamella
     make_solver(budget);
     if (!found.steps.empty())
       solver->restore(found.last().memory);
-    return std::make_unique<LinearStep>(*solver,
-                                        built->interfaces(),
-                                        built->contact_objects(),
-                                        scene().supports.size(),
-                                        scene().solve,
-                                        timer);
+    auto step                         = std::make_unique<LinearStep>(*solver,
+                                             built->interfaces(),
+                                             built->contact_objects(),
+                                             scene().supports.size(),
+                                             scene().solve,
+                                             timer);
+    step->nonlinear_solver().progress = [this](const std::string &line) {
+      out << "  " << line << std::endl;
+    };
+    step->nonlinear_solver().describe = [this](const unsigned int row) {
+      return built->describe_row(row);
+    };
+    return step;
   }
 
 
@@ -305,21 +312,10 @@ namespace lamella
         phase.emplace(timer, name_of(Phase::assembly));
         about = linearized_without_solvers(built->structure());
       }
-    solver           = std::make_unique<ContactSolver>(std::move(about),
-                                             built->rows(),
-                                             scene().solve.loop,
-                                             strategy);
-    solver->progress = [this,
-                        last = std::string()](const std::string &line) mutable {
-      // Among lines of iterations that differ in their number alone, the first.
-      const std::string what = line.substr(line.find(':') + 1);
-      if (what.empty() || what != last)
-        out << "  " << line << std::endl;
-      last = what;
-    };
-    solver->describe = [this](const unsigned int row) {
-      return built->describe_row(row);
-    };
+    solver = std::make_unique<LinearSystem>(std::move(about),
+                                            built->rows(),
+                                            scene().solve.nonlinear,
+                                            strategy);
   }
 
 

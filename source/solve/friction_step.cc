@@ -132,28 +132,8 @@ namespace lamella
 
 
 
-  // The angle decides: near reversal, the direction of the solution stays.
-  void
-  turn_shear_forces(const GapConstraints &rows,
-                    const LoadFactor     &factor,
-                    State                &state)
-  {
-    for (const unsigned int r : state.active)
-      if (!state.friction.empty() && state.friction.direction[r].norm() > 0.)
-        {
-          const Tensor<1, 2> v = slip_in_step(rows[r], r, state, factor);
-          if (!(friction_error(rows[r], r, state, factor) <
-                arithmetic::same_value * v.norm()))
-            continue;
-          state.friction.direction[r] = in_scene(rows[r], -v / v.norm());
-          state.friction.shear[r] =
-            rows[r].friction * state.force[r] * state.friction.direction[r];
-        }
-  }
-
-
-
-  // Slip along -e, with the direction e of the shear force: v + |v| e = 0.
+  // Slip along -e, with the direction e of the shear force: v + |v| e = 0, up
+  // to the accuracy of directions found by solve_interface().
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,
@@ -162,7 +142,9 @@ namespace lamella
   {
     const Tensor<1, 2> v = slip_in_step(row, r, state, factor),
                        e = along_tangents(row, state.friction.direction[r]);
-    return (v + v.norm() * e).norm();
+    constexpr double direction_accuracy = 1e-8;
+    const double     error              = (v + v.norm() * e).norm();
+    return e.norm() > 0. && error <= direction_accuracy * v.norm() ? 0. : error;
   }
 
 

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-// A load step at finite rotations: Newton::advance() from the previous state,
-// then checks in the current configuration. Results of a restart are bitwise
-// equal, since the pairing is part of the state (ContactHistory).
+// A load step at finite rotations: NonlinearSolver::advance() from the previous
+// state, then checks in the current configuration. Results of a restart are
+// bitwise equal, since the pairing is part of the state (ContactHistory).
 namespace lamella
 {
   using dealii::TimerOutput;
@@ -18,21 +18,21 @@ namespace lamella
                        const MovingContacts               &contacts,
                        const unsigned int                  n_supports,
                        const SolveParameters              &parameters,
-                       const Newton::Progress             &progress,
+                       const NonlinearSolver::Progress    &progress,
                        const TangentOperator::BodyMonitor &monitor,
                        TimerOutput                        &timer)
     : structure(structure)
-    , newton(structure,
+    , solver(structure,
              contacts,
              parameters.solver,
-             parameters.newton,
+             parameters.nonlinear,
              parameters.strategy)
     , n_supports(n_supports)
     , parameters(parameters)
     , timer(timer)
   {
-    newton.progress = progress;
-    newton.monitor  = monitor;
+    solver.progress = progress;
+    solver.monitor  = monitor;
   }
 
 
@@ -50,7 +50,7 @@ namespace lamella
       const Equilibrium  start = make_start(before, from, to);
       // Rows belong to no state during the iterations.
       reached         = BlockVector();
-      Equilibrium end = newton.advance(start, to);
+      Equilibrium end = solver.advance(start, to);
       solved.state    = std::move(end.state);
       reached         = solved.state.u;
       // The iterations end at the rounding of the largest displacement.
@@ -65,7 +65,7 @@ namespace lamella
                                         std::max(size, before.free_sizes[b]));
         }
       solved.cuts           = end.cuts;
-      solved.state.pairings = newton.moving().memory();
+      solved.state.pairings = solver.moving().memory();
     }
     solved.checks = check(solved.state, to, last);
     return solved;
@@ -77,7 +77,7 @@ namespace lamella
   void
   LargeStep::resume_from(const State &last, const LoadFactor &factor)
   {
-    newton.restore(last, factor);
+    solver.restore(last, factor);
     reached = last.u;
   }
 
@@ -91,9 +91,9 @@ namespace lamella
                         const LoadFactor &to)
   {
     if (before.u.n_blocks() == 0)
-      return newton.unloaded(to);
+      return solver.unloaded(to);
     if (reached.n_blocks() == 0 || !(before.u == reached))
-      newton.restore(before, from);
+      solver.restore(before, from);
     Equilibrium start;
     start.state  = before;
     start.factor = from;
@@ -112,7 +112,7 @@ namespace lamella
     TimerOutput::Scope    scope(timer, name_of(Phase::solve));
     const TangentOperator here(structure, state.u);
     Checks                checks = check_state(
-      here, newton.moving().interfaces(), n_supports, state, factor);
+      here, solver.moving().interfaces(), n_supports, state, factor);
     check_solution(state, checks, parameters.rotation_limit);
     check_followed(here, factor);
     return checks;

@@ -3,7 +3,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/friction_step.h>
 #include <lamella/solve/load_path.h>
 #include <lamella/solve/nonlinearity_estimate.h>
 #include <lamella/solve/phase.h>
@@ -137,17 +136,17 @@ namespace lamella
 
 
 
-  LinearStep::LinearStep(ContactSolver                       &solver,
+  LinearStep::LinearStep(LinearSystem                        &system,
                          const std::vector<ContactInterface> &contacts,
                          const Contacts                      &contact_objects,
                          const unsigned int                   n_supports,
                          const SolveParameters               &parameters,
                          TimerOutput                         &timer)
-    : solver(solver)
-    , structure(solver.tangent().of())
+    : system(system)
+    , solver(system, parameters.nonlinear)
+    , structure(system.tangent().of())
     , contacts(contacts)
     , contact_objects(contact_objects)
-    , rows(contacts)
     , n_supports(n_supports)
     , parameters(parameters)
     , timer(timer)
@@ -164,17 +163,11 @@ namespace lamella
     SolvedStep solved;
     solved.load_factor = to;
     {
-      TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      solved.state = solver.solve_free(to);
+      TimerOutput::Scope scope(timer,
+                               name_of(contacts.empty() ? Phase::solve :
+                                                          Phase::contact));
+      solved.state = solver.solve(to, before);
     }
-    if (!rows.empty())
-      {
-        TimerOutput::Scope scope(timer, name_of(Phase::contact));
-        solved.state =
-          solver.release_springs(solver.solve_contact(solved.state, to, before),
-                                 to);
-        end_step(rows, to, false, solved.state);
-      }
     solved.checks = check(solved.state, to, last);
     return solved;
   }
@@ -186,11 +179,12 @@ namespace lamella
                     const LoadFactor &factor,
                     const bool        last)
   {
-    Checks checks;
+    Checks                checks;
+    const GapConstraints &rows = system.constraints();
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
       checks =
-        check_state(solver.tangent(), contacts, n_supports, state, factor);
+        check_state(system.tangent(), contacts, n_supports, state, factor);
       check_solution(state, checks, parameters.rotation_limit);
       for (unsigned int k = 0; k < contacts.size(); ++k)
         {
@@ -206,7 +200,7 @@ namespace lamella
       return checks;
     {
       TimerOutput::Scope scope(timer, name_of(Phase::beyond));
-      checks.beyond = beyond_linear(structure, solver, state, checks.energies);
+      checks.beyond = beyond_linear(structure, system, state, checks.energies);
     }
     if (parameters.beyond_linear == OutOfRange::refuse)
       check_linear_range(checks.beyond, structure);

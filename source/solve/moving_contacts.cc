@@ -13,12 +13,28 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    const std::vector<ContactInterface> no_interfaces;
+    const Contacts                      no_contacts;
+  } // namespace
+
+
+
   MovingContacts::MovingContacts(
     const std::vector<ContactInterface> &interfaces,
     const Contacts                      &contact_objects)
     : all(interfaces)
     , contact_objects(contact_objects)
     , numbered(interfaces)
+  {}
+
+
+
+  MovingContacts::MovingContacts(const GapConstraints &fixed)
+    : all(no_interfaces)
+    , contact_objects(no_contacts)
+    , numbered(fixed)
   {}
 
 
@@ -240,6 +256,8 @@ namespace lamella
   bool
   MovingContacts::find_loads(State &state, const LoadFactor &factor)
   {
+    if (contact_objects.empty())
+      return false;
     std::vector<std::pair<unsigned int, unsigned int>> points;
     for (unsigned int r = 0; r < numbered.size(); ++r)
       points.push_back(numbered.material_point(r));

@@ -4,7 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/second_order.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/nonlinearity_estimate.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -39,7 +39,7 @@ namespace lamella
     {
     public:
       BucklingModes(const Structure                                 &structure,
-                    ContactSolver                                   &solver,
+                    LinearSystem                                    &solver,
                     const ActiveConstraints                         &closed,
                     const std::vector<std::unique_ptr<SecondOrder>> &bodies)
         : structure(structure)
@@ -74,7 +74,7 @@ namespace lamella
       share_of_springs(const BlockVector &mode) const;
 
       const Structure                                 &structure;
-      ContactSolver                                   &solver;
+      LinearSystem                                    &solver;
       const ActiveConstraints                          closed;
       const std::vector<std::unique_ptr<SecondOrder>> &bodies;
       /// Of unit energy q . K q and orthogonal, and K times them.
@@ -228,7 +228,7 @@ namespace lamella
     /// s_m of all @p bodies; sets the stiffening of @p found.
     void
     find_stiffening(const Structure                                 &structure,
-                    ContactSolver                                   &solver,
+                    LinearSystem                                    &solver,
                     const State                                     &state,
                     const std::vector<double>                       &energies,
                     const std::vector<std::unique_ptr<SecondOrder>> &bodies,
@@ -295,7 +295,7 @@ namespace lamella
 
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
-                ContactSolver             &solver,
+                LinearSystem              &solver,
                 const State               &state,
                 const std::vector<double> &energies)
   {

@@ -168,11 +168,10 @@ namespace lamella
       solver.refuse(
         "solve.solver-conflict: Contact strategy = full needs mumps",
         "Write Linear solver = auto, or Contact strategy = condensed.");
-    parameters.loop.max_iterations =
+    parameters.nonlinear.max_iterations =
       in["Maximum iterations"].whole(1, max_iterations_per_solve);
-    parameters.newton.max_iterations = parameters.loop.max_iterations;
-    parameters.rotation_limit        = in["Rotation limit"].positive();
-    parameters.beyond_linear = in["Beyond linear range"].choice<OutOfRange>();
+    parameters.rotation_limit = in["Rotation limit"].positive();
+    parameters.beyond_linear  = in["Beyond linear range"].choice<OutOfRange>();
     return parameters;
   }
 } // namespace lamella

@@ -207,9 +207,9 @@ BOOST_AUTO_TEST_CASE(rows_that_a_surplus_opens_answer_with_its_energy)
   Vector jump(active.size()), forces(active.size());
   for (unsigned int k = 0; k < active.size(); ++k)
     jump[k] = -run.model().rows()[active[k]].jump(v);
-  run.contact_solver().solve_linear(
+  run.linear_system().solve_linear(
     active, run.model().structure().zero(), jump, w, forces);
-  const TangentOperator &tangent = run.contact_solver().tangent();
+  const TangentOperator &tangent = run.linear_system().tangent();
   const double of_bodies = tangent.apply(v) * v, of_rows = tangent.apply(w) * w;
   // A hundred times what is told apart below.
   BOOST_TEST(of_rows > 1e-4 * of_bodies);

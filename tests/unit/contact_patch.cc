@@ -14,6 +14,7 @@
 #include <lamella/body/fields.h>
 #include <lamella/contact/assumptions.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/nonlinear_solver.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -56,9 +57,9 @@ namespace
     result.contacts = {make_interface(contact, bodies)};
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
-    const auto   &rows = result.contacts[0].rows;
-    ContactSolver newton(linearized(*result.structure), rows);
-    result.state  = newton.solve_contact(newton.solve_free(1.), 1.);
+    const auto  &rows = result.contacts[0].rows;
+    LinearSystem newton(linearized(*result.structure), rows);
+    result.state  = NonlinearSolver(newton).solve(1.);
     result.checks = check_state(
       newton.tangent(), result.contacts, supports.size(), result.state, 1.);
     return result;

@@ -5,7 +5,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/parameters.h>
 
 #include <algorithm>
@@ -32,40 +32,38 @@ namespace lamella
   }
 
   /// What solves for @p rows in the way @p which, ready.
-  inline std::unique_ptr<ContactSolver>
-  contact_solver(const Strategy          which,
-                 Structure              &structure,
-                 const GapConstraints   &rows,
-                 const SolverParameters &parameters = SolverParameters())
+  inline std::unique_ptr<LinearSystem>
+  linear_system(const Strategy             which,
+                Structure                 &structure,
+                const GapConstraints      &rows,
+                const NonlinearParameters &parameters = NonlinearParameters())
   {
-    return std::make_unique<ContactSolver>(which == Strategy::full ?
-                                             linearized_without_solvers(
-                                               structure) :
-                                             linearized(structure),
-                                           rows,
-                                           parameters,
-                                           which);
+    return std::make_unique<LinearSystem>(which == Strategy::full ?
+                                            linearized_without_solvers(
+                                              structure) :
+                                            linearized(structure),
+                                          rows,
+                                          parameters,
+                                          which);
   }
 
   /// A structure with gap rows and what solves for them.
   struct ContactScene
   {
-    std::unique_ptr<Structure>     structure;
-    std::vector<GapConstraint>     rows;
-    std::unique_ptr<ContactSolver> solver;
+    std::unique_ptr<Structure>    structure;
+    std::vector<GapConstraint>    rows;
+    std::unique_ptr<LinearSystem> solver;
 
     void
     prepare(const Strategy which)
     {
-      solver = contact_solver(which, *structure, rows);
+      solver = linear_system(which, *structure, rows);
     }
 
     State
     solve(const double factor = 1., const State &previous = State()) const
     {
-      return solver->solve_contact(solver->solve_free(factor),
-                                   factor,
-                                   previous);
+      return NonlinearSolver(*solver).solve(factor, previous);
     }
 
     /// How far g >= 0, lambda >= 0, g lambda = 0 are missed: the largest of -g

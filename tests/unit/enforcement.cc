@@ -288,9 +288,10 @@ BOOST_AUTO_TEST_CASE(what_does_not_settle_is_named)
 {
   const ContactScene scene =
     stacked_beams({Enforcement::penalty, Strategy::condensed}, 0., 1.);
-  SolverParameters parameters;
+  NonlinearParameters parameters;
   parameters.max_iterations = 1;
-  ContactSolver newton(linearized(*scene.structure), scene.rows, parameters);
+  LinearSystem    system(linearized(*scene.structure), scene.rows, parameters);
+  NonlinearSolver newton(system, parameters);
   newton.describe = [](const unsigned int row) {
     return "point " + std::to_string(row);
   };
@@ -298,7 +299,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_settle_is_named)
   newton.progress = [&lines](const std::string &line) {
     lines.push_back(line);
   };
-  BOOST_CHECK_EXCEPTION(newton.solve_contact(newton.solve_free(1.), 1.),
+  BOOST_CHECK_EXCEPTION(newton.solve(1.),
                         NumericsError,
                         [](const NumericsError &error) {
                           const std::string text = error.what();

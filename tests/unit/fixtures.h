@@ -8,7 +8,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/shape/laminate.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -194,9 +194,9 @@ namespace lamella
     solved.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
     const std::vector<GapConstraint> none;
-    SolverParameters                 parameters;
+    NonlinearParameters              parameters;
     parameters.max_refinements = refinements;
-    ContactSolver solver(linearized(*solved.structure), none, parameters);
+    LinearSystem solver(linearized(*solved.structure), none, parameters);
     solved.state     = solver.solve_free(1.);
     solved.condition = solver.tangent().condition_estimate();
     return solved;

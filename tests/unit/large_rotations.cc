@@ -11,7 +11,7 @@
 #include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/conditions/follower_load.h>
 #include <lamella/material/library.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/nonlinearity_estimate.h>
 
 #include <deal.II/physics/transformations.h>
@@ -511,7 +511,7 @@ BOOST_AUTO_TEST_CASE(a_cantilever_bends_round)
   // and 6.70013, and 3.29000, 6.70033 by Green's strain. (The case of Sze,
   // Liu and Lo, Finite Elem. Anal. Des. 40, 2004.)
   const Structure    structure = sze("large", 16);
-  Newton             newton(structure);
+  NonlinearSolver    newton(structure);
   const Equilibrium  whole      = newton.advance(newton.unloaded(), 1.);
   const unsigned int iterations = whole.state.iterations;
   BOOST_TEST_MESSAGE("one step: " << iterations << " iterations, left "
@@ -539,18 +539,18 @@ BOOST_AUTO_TEST_CASE(a_cantilever_bends_round)
 BOOST_AUTO_TEST_CASE(it_comes_back_unloaded)
 {
   // And a step that is too large is halved until it is not.
-  const Structure  structure = sze("large", 4);
-  NewtonParameters few;
+  const Structure     structure = sze("large", 4);
+  NonlinearParameters few;
   few.max_iterations = 4;
-  Newton            newton(structure, SolverKind::automatic, few);
+  NonlinearSolver   newton(structure, SolverKind::automatic, few);
   const Equilibrium bent = newton.advance(newton.unloaded(), 1.),
-                    back = Newton(structure).advance(bent, 0.);
+                    back = NonlinearSolver(structure).advance(bent, 0.);
   BOOST_TEST(bent.cuts > 0u);
   BOOST_TEST(bent.factor.of_scene() == 1.);
   BOOST_TEST(std::abs(tip(structure, bent.state.u)[2] / 6.70033 - 1.) < 0.01);
   BOOST_TEST(tip(structure, back.state.u).norm() < 1e-8);
   few.max_bisections = 0;
-  BOOST_CHECK_THROW(Newton(structure, SolverKind::automatic, few)
+  BOOST_CHECK_THROW(NonlinearSolver(structure, SolverKind::automatic, few)
                       .advance(newton.unloaded(), 1.),
                     NumericsError);
 }
@@ -570,7 +570,7 @@ BOOST_AUTO_TEST_CASE(a_mirror_image_is_no_result)
       else
         bodies.push_back(beam<TotalLagrangianBeam>(2));
       const Structure structure(std::move(bodies), {clamp("bottom")}, {});
-      Newton          newton(structure);
+      NonlinearSolver newton(structure);
       Equilibrium     at = newton.unloaded();
       BOOST_CHECK_NO_THROW(newton.advance(at, 1.));
       at.state.u.block(0) = affine(*structure.bodies()[0], mirror);
@@ -587,12 +587,12 @@ BOOST_AUTO_TEST_CASE(a_mirror_image_is_no_result)
 BOOST_AUTO_TEST_CASE(small_loads_are_the_linear_answer)
 {
   const Structure   large = sze("large", 8), linear = sze("linear", 8);
-  Newton            newton(large);
+  NonlinearSolver   newton(large);
   const double      factor = 1e-7;
   const Equilibrium state  = newton.advance(newton.unloaded(), factor);
   const std::vector<GapConstraint> no_rows;
   const GapConstraints             none(no_rows);
-  ContactSolver                    solver(linearized(linear), none);
+  LinearSystem                     solver(linearized(linear), none);
   const State                      exact = solver.solve_free(factor);
   BOOST_TEST(std::abs(tip(large, state.state.u)[2] / tip(linear, exact.u)[2] -
                       1.) < 1e-8);
@@ -670,7 +670,7 @@ BOOST_AUTO_TEST_CASE(a_strip_between_clamps_is_stretched)
   // Pressed by 75 and 150 mm: 15.15 and 116.9 kN by C3D20R with NLGEOM.
   // Linear theory says 129 N at 150 mm.
   const Structure   structure = contact_strip(true, 0.15);
-  Newton            newton(structure);
+  NonlinearSolver   newton(structure);
   const Equilibrium half = newton.advance(newton.unloaded(), 0.5),
                     full = newton.advance(half, 1.);
   BOOST_TEST_MESSAGE(std::setprecision(6)
@@ -693,10 +693,10 @@ BOOST_AUTO_TEST_CASE(the_stiffening_number_is_what_large_deflections_do)
     {
       const Structure large = contact_strip(true, way),
                       small = contact_strip(false, way);
-      Newton                           newton(large);
+      NonlinearSolver                  newton(large);
       const std::vector<GapConstraint> no_rows;
       const GapConstraints             none(no_rows);
-      ContactSolver                    solver(linearized(small), none);
+      LinearSystem                     solver(linearized(small), none);
       const State                      state = solver.solve_free(1.);
       const double                     energy =
         small.bodies()[0]->deformation(state.u.block(0)).energy;

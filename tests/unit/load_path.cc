@@ -24,21 +24,21 @@ namespace
   /// Two blocks that are pressed on each other, and what does their steps.
   struct BlocksInContact
   {
-    std::ostream                   nowhere{nullptr};
-    dealii::TimerOutput            timer{nowhere,
+    std::ostream                  nowhere{nullptr};
+    dealii::TimerOutput           timer{nowhere,
                               dealii::TimerOutput::never,
                               dealii::TimerOutput::wall_times};
-    std::unique_ptr<BuiltScene>    built;
-    std::unique_ptr<ContactSolver> solver;
-    std::shared_ptr<Step>          step;
+    std::unique_ptr<BuiltScene>   built;
+    std::unique_ptr<LinearSystem> solver;
+    std::shared_ptr<Step>         step;
 
     explicit BlocksInContact(const std::vector<std::string> &overrides = {})
     {
       const Scene scene = read_scene(SceneText::read(
         LAMELLA_SOURCE_DIR "/tests/scenes/blocks_in_contact.prm", overrides));
       built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
-      solver = std::make_unique<ContactSolver>(linearized(built->structure()),
-                                               built->rows());
+      solver = std::make_unique<LinearSystem>(linearized(built->structure()),
+                                              built->rows());
       step   = std::make_shared<LinearStep>(*solver,
                                           built->interfaces(),
                                           built->contact_objects(),

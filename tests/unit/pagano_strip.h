@@ -7,7 +7,7 @@
 #include "pagano.h"
 
 #include <lamella/solve/checks.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/solution_check.h>
 
 #include <vector>
@@ -81,7 +81,7 @@ namespace lamella
   solution(Structure &structure)
   {
     const std::vector<GapConstraint> no_rows;
-    ContactSolver                    newton(linearized(structure), no_rows);
+    LinearSystem                     newton(linearized(structure), no_rows);
     const State                      state = newton.solve_free(1.);
     check_solution(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);

@@ -14,7 +14,7 @@
 #include <lamella/section/shape_change.h>
 #include <lamella/section/twist_stretch.h>
 #include <lamella/shape/shapes.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/nonlinear_solver.h>
 
 #include <deal.II/physics/transformations.h>
 
@@ -467,7 +467,7 @@ BOOST_AUTO_TEST_CASE(a_cantilever_bends_round)
   for (const bool saint_venant : {false, true})
     {
       const Structure structure = sze(saint_venant, 8, 100.);
-      Newton          newton(structure);
+      NonlinearSolver newton(structure);
       newton.progress = [](const std::string &line) {
         BOOST_TEST_MESSAGE(line);
       };
@@ -491,7 +491,7 @@ BOOST_AUTO_TEST_CASE(slender_ones_do_not_lock)
                                        std::make_pair(1e5, 6.69964)})
     {
       const Structure structure = sze(true, 8, slenderness);
-      Newton          newton(structure);
+      NonlinearSolver newton(structure);
       const auto      end = newton.advance(newton.unloaded(), 1.);
       BOOST_TEST_MESSAGE("w " << tip(structure, end.state.u)[2] << " in "
                               << end.state.iterations << " iterations");

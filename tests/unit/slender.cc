@@ -11,7 +11,7 @@
 
 #include <lamella/material/library.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
@@ -57,9 +57,9 @@ namespace
                     ""};
     Structure  structure(std::move(bodies), {clamp}, {load});
     const std::vector<GapConstraint> none;
-    SolverParameters                 parameters;
+    NonlinearParameters              parameters;
     parameters.max_refinements = refine ? 6 : 0;
-    ContactSolver newton(linearized(structure), none, parameters);
+    LinearSystem newton(linearized(structure), none, parameters);
 
     Result result;
     State  state;

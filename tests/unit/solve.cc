@@ -8,6 +8,7 @@
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/parameters.h>
 #include <lamella/solve/penalty_matrix.h>
 #include <lamella/solve/solution_check.h>
@@ -66,9 +67,8 @@ namespace
     State
     solve(const Strategy strategy)
     {
-      const auto solver =
-        contact_solver(strategy, *structure, contacts[0].rows);
-      return solver->solve_contact(solver->solve_free(1.), 1.);
+      const auto solver = linear_system(strategy, *structure, contacts[0].rows);
+      return NonlinearSolver(*solver).solve(1.);
     }
 
     TangentOperator
@@ -199,9 +199,8 @@ BOOST_AUTO_TEST_CASE(a_penalty_beyond_rounding_is_told)
       TwoCubes scene(press);
       for (GapConstraint &row : scene.contacts[0].rows)
         row.penalty *= factor;
-      const auto  solver = contact_solver(Strategy::full,
-                                         *scene.structure,
-                                         scene.contacts[0].rows);
+      const auto solver =
+        linear_system(Strategy::full, *scene.structure, scene.contacts[0].rows);
       BlockVector u;
       Vector      lambda;
       solver->solve_linear(ActiveConstraints({0, 1, 2}),
@@ -334,7 +333,7 @@ BOOST_AUTO_TEST_CASE(a_line_is_prescribed_exactly)
       Structure structure(std::move(bodies), {clamp, press}, {});
       const std::vector<GapConstraint> none;
       const State                      state =
-        ContactSolver(linearized(structure), none).solve_free(1.);
+        LinearSystem(linearized(structure), none).solve_free(1.);
       double worst = 0.;
       for (unsigned int i = 0; i <= 100; ++i)
         {
@@ -382,7 +381,7 @@ BOOST_AUTO_TEST_CASE(a_turned_scene_gives_turned_results)
       Structure     structure(std::move(bodies), {clamp}, {load});
       const std::vector<GapConstraint> none;
       const State                      state =
-        ContactSolver(linearized(structure), none).solve_free(1.);
+        LinearSystem(linearized(structure), none).solve_free(1.);
       results.push_back(structure.load(1.) * state.u);
     }
   // std::to_string keeps six decimals of the force.

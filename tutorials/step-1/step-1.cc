@@ -15,7 +15,7 @@
 #include <lamella/body/beam.h>
 #include <lamella/section/theory.h>
 #include <lamella/shape/laminate.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
@@ -170,7 +170,7 @@ void
 FiveTheories::solve()
 {
   const std::vector<GapConstraint> no_rows;
-  u = ContactSolver(linearized(*structure), no_rows).solve_free(1.).u.block(0);
+  u = LinearSystem(linearized(*structure), no_rows).solve_free(1.).u.block(0);
 }
 
 

@@ -17,7 +17,7 @@
 #include <lamella/section/theory.h>
 #include <lamella/shape/laminate.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/solution_check.h>
 
 #include <deal.II/base/table_handler.h>
@@ -45,9 +45,9 @@ private:
                  const std::vector<double>        &force) const;
   double
   solved_once(const std::vector<GapConstraint> &rows,
-              ContactSolver                    &solver) const;
+              LinearSystem                     &solver) const;
   double
-  refined(const std::vector<GapConstraint> &rows, ContactSolver &solver) const;
+  refined(const std::vector<GapConstraint> &rows, LinearSystem &solver) const;
   void
   measure(const int decade);
 
@@ -145,7 +145,7 @@ TwoCubes::relative_error(const std::vector<GapConstraint> &rows,
 // own BLAS, and so says nothing but that the sum cannot be used there.
 double
 TwoCubes::solved_once(const std::vector<GapConstraint> &rows,
-                      ContactSolver                    &solver) const
+                      LinearSystem                     &solver) const
 {
   try
     {
@@ -176,12 +176,11 @@ TwoCubes::solved_once(const std::vector<GapConstraint> &rows,
 // both hold in the end.
 double
 TwoCubes::refined(const std::vector<GapConstraint> &rows,
-                  ContactSolver                    &solver) const
+                  LinearSystem                     &solver) const
 {
   try
     {
-      const State state =
-        solver.solve_contact(solver.solve_free(1.), 1., State());
+      const State      state   = NonlinearSolver(solver).solve(1.);
       ContactInterface contact = interface;
       contact.rows             = rows;
       check_solution(state,
@@ -202,11 +201,11 @@ TwoCubes::measure(const int decade)
 {
   const double                     ratio = std::pow(10., decade);
   const std::vector<GapConstraint> rows  = gap_constraints(ratio * stiffness);
-  ContactSolver                    full(linearized_without_solvers(*structure),
-                     rows,
-                     {},
-                     Strategy::full);
-  ContactSolver                    condensed(linearized(*structure), rows);
+  LinearSystem                     full(linearized_without_solvers(*structure),
+                    rows,
+                    {},
+                    Strategy::full);
+  LinearSystem                     condensed(linearized(*structure), rows);
 
   // Springs in series: a penalty of its own gives F (1 / (1 + k / eps)).
   const double by_design = -1. / (1. + ratio), once = solved_once(rows, full),

@@ -16,7 +16,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
 #include <lamella/body/beam.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/table_handler.h>
 #include <deal.II/base/timer.h>
@@ -167,7 +167,7 @@ FieldsOfASection::bend(const std::string &name, std::unique_ptr<Beam> beam)
   Structure structure(std::move(bodies), {clamp}, {line});
   const std::vector<GapConstraint> no_rows;
   const Vector                     u =
-    ContactSolver(linearized(structure), no_rows).solve_free(1.).u.block(0);
+    LinearSystem(linearized(structure), no_rows).solve_free(1.).u.block(0);
 
   const Body &body   = *structure.bodies()[0];
   const auto  sample = [&](const double y, const double z) {

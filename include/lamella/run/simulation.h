@@ -13,7 +13,7 @@
 
 #include <lamella/run/built_scene.h>
 #include <lamella/run/step_results.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/load_path.h>
 
 #include <deal.II/base/timer.h>
@@ -103,8 +103,8 @@ namespace lamella
     }
 
     /// Returns the contact solver after solve() with linear kinematics.
-    ContactSolver &
-    contact_solver() const
+    LinearSystem &
+    linear_system() const
     {
       return *solver;
     }
@@ -192,8 +192,8 @@ namespace lamella
 
     /// Each object refers to the previous ones. Objects after `built` are null
     /// before prepare(), and `solver` also with finite rotations.
-    std::unique_ptr<BuiltScene>    built;
-    std::unique_ptr<ContactSolver> solver;
+    std::unique_ptr<BuiltScene>   built;
+    std::unique_ptr<LinearSystem> solver;
     /// Strategy of `solver`, the result of choose_strategy().
     Strategy                      strategy = Strategy::undefined;
     std::unique_ptr<StepRecorder> recorder;

@@ -4,7 +4,7 @@
 #define lamella_solve_active_constraint_shift_h
 
 #include <lamella/linear/stiffness_matrix.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/state.h>
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 #ifndef lamella_solve_checks_h
 #define lamella_solve_checks_h
 
-#include <lamella/solve/contact_solver.h>
 #include <lamella/solve/kkt_residual.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/nonlinearity_estimate.h>
 
 #include <vector>

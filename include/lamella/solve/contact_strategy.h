@@ -36,7 +36,7 @@ namespace lamella
 
   /// Base class of the contact solvers for a constant tangent stiffness: finds
   /// the active set, and solves linear systems with a given active set.
-  /// ContactSolver refines the result. Collective, with equal arguments.
+  /// LinearSystem refines the result. Collective, with equal arguments.
   class ContactStrategy
   {
   public:
@@ -118,9 +118,15 @@ namespace lamella
   };
 
   /// Returns @p which, or for `automatic` the strategy with fewer operations:
-  /// `full` if n^3 / 3 for the n gaps and slips with friction that are closed
-  /// at the start, those of a factor of their compliance, exceed N b^2 summed
-  /// over all bodies with N DoFs and b stiffness entries per DoF, and 1e9.
+  /// `full` if n^3 / 3 for @p n gaps and slips with friction in contact, those
+  /// of a factor of their compliance, exceed N b^2 summed over all bodies with
+  /// N DoFs and b stiffness entries per DoF, and 1e9.
+  Strategy
+  choose_strategy(const Strategy   which,
+                  const Structure &structure,
+                  const double     n);
+
+  /// Returns the choice for the @p rows that are closed at the start.
   Strategy
   choose_strategy(const Strategy        which,
                   const Structure      &structure,

@@ -50,17 +50,10 @@ namespace lamella
              const Vector            &dlambda,
              State                   &state);
 
-  /// Turns the shear force of each slipping constraint of @p state against its
-  /// slip, if its direction is wrong by no more than rounding errors of the
-  /// solution.
-  void
-  turn_shear_forces(const GapConstraints &rows,
-                    const LoadFactor     &factor,
-                    State                &state);
-
   /// Returns the error of Coulomb's law at the active constraint @p row, of
   /// index @p r: |v| if it sticks, |v + |v| e| if it slips, with the slip v in
-  /// the load step and the unit vector e along the shear force [length].
+  /// the load step and the unit vector e along the shear force [length]. Zero
+  /// if the direction e is right to 1e-8.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,

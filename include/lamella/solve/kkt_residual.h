@@ -5,7 +5,7 @@
 
 #include <lamella/solve/body_forces.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/array_view.h>
 

@@ -4,7 +4,6 @@
 #define lamella_solve_large_step_h
 
 #include <lamella/solve/load_path.h>
-#include <lamella/solve/newton.h>
 
 namespace lamella
 {
@@ -19,7 +18,7 @@ namespace lamella
               const MovingContacts               &contacts,
               const unsigned int                  n_supports,
               const SolveParameters              &parameters,
-              const Newton::Progress             &progress,
+              const NonlinearSolver::Progress    &progress,
               const TangentOperator::BodyMonitor &monitor,
               dealii::TimerOutput                &timer);
 
@@ -46,7 +45,7 @@ namespace lamella
                const LoadFactor &to);
 
     const Structure &structure;
-    Newton           newton;
+    NonlinearSolver  solver;
     /// Displacements at which the contact constraints were last updated.
     BlockVector            reached;
     const unsigned int     n_supports;

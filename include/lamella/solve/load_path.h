@@ -5,7 +5,7 @@
 
 #include <lamella/contact/contact.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/parameters.h>
 
 #include <deal.II/base/timer.h>
@@ -78,10 +78,8 @@ namespace lamella
   };
 
   /// Load step with linear kinematics:
-  ///   1. the linear solution without contact (ContactSolver::solve_free()),
-  ///   2. the solution with contact, which starts from the previous active set,
-  ///      and the removal of stabilizing springs,
-  ///   3. checks, which throw if the state is not reliable, or if the search
+  ///   1. the solution by NonlinearSolver with the constant LinearSystem,
+  ///   2. checks, which throw if the state is not reliable, or if the search
   ///      distance of a contact was too short.
   /// Without friction, the previous state affects the number of iterations
   /// only. Keeps references to all arguments; `timer` measures each Phase.
@@ -90,12 +88,19 @@ namespace lamella
   public:
     /// Creates the load step of a scene with @p n_supports supports. @p
     /// contacts are the constraints of its contacts @p contact_objects.
-    LinearStep(ContactSolver                       &solver,
+    LinearStep(LinearSystem                        &system,
                const std::vector<ContactInterface> &contacts,
                const Contacts                      &contact_objects,
                const unsigned int                   n_supports,
                const SolveParameters               &parameters,
                dealii::TimerOutput                 &timer);
+
+    /// Returns the solver, for its callbacks.
+    NonlinearSolver &
+    nonlinear_solver()
+    {
+      return solver;
+    }
 
     SolvedStep
     operator()(const State      &before,
@@ -109,11 +114,11 @@ namespace lamella
           const bool        last = true) override;
 
   private:
-    ContactSolver                       &solver;
+    LinearSystem                        &system;
+    NonlinearSolver                      solver;
     const Structure                     &structure;
     const std::vector<ContactInterface> &contacts;
     const Contacts                      &contact_objects;
-    const GapConstraints                 rows;
     const unsigned int                   n_supports;
     const SolveParameters               &parameters;
     dealii::TimerOutput                 &timer;

@@ -4,7 +4,7 @@
 #define lamella_solve_moving_contacts_h
 
 #include <lamella/contact/contact.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/state.h>
 
 #include <set>
 #include <string>
@@ -42,12 +42,15 @@ namespace lamella
     /// Keeps references to the Contact objects and their constraints.
     MovingContacts(const std::vector<ContactInterface> &interfaces,
                    const Contacts                      &contact_objects);
+    /// Creates contacts with the constraints @p fixed, which do not follow the
+    /// displacements, for small rotations.
+    explicit MovingContacts(const GapConstraints &fixed);
 
-    /// Returns true if the scene has no contacts.
+    /// Returns true if there are no constraints.
     bool
     none() const
     {
-      return contact_objects.empty();
+      return numbered.empty();
     }
 
     /// Returns all contacts, with the constraints of the last move().

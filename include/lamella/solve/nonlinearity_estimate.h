@@ -9,7 +9,7 @@
 
 namespace lamella
 {
-  class ContactSolver;
+  class LinearSystem;
   class Structure;
   struct State;
 
@@ -48,7 +48,7 @@ namespace lamella
   /// fixed active constraints. Modes that only springs restrain are excluded.
   NonlinearityEstimate
   beyond_linear(const Structure           &structure,
-                ContactSolver             &solver,
+                LinearSystem              &solver,
                 const State               &state,
                 const std::vector<double> &energies);
 

@@ -4,8 +4,8 @@
 #define lamella_solve_parameters_h
 
 #include <lamella/base/entry.h>
-#include <lamella/solve/contact_solver.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/contact_strategy.h>
+#include <lamella/solve/nonlinear_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -92,9 +92,8 @@ namespace lamella
     Rotations  rotations   = Rotations::undefined; ///< Small or finite.
     StressAxes stress_axes = StressAxes::material; ///< Output axes.
     Strategy   strategy    = Strategy::undefined;  ///< Contact algorithm.
-    /// Limits of the contact iterations; a scene sets max_iterations only.
-    SolverParameters loop;
-    NewtonParameters newton; ///< Newton's method for finite rotations.
+    /// Tolerances of the iterations; a scene sets max_iterations only.
+    NonlinearParameters nonlinear;
     /// Linear solver for the stiffness of a body (condensed contact strategy).
     SolverKind solver = SolverKind::automatic;
     /// Memory limit in bytes per machine; 0 for the available memory.

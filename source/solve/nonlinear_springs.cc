@@ -6,13 +6,15 @@
 // damping of Levenberg and Marquardt, the first that has a Cholesky factor.
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/ill_conditioned.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/nonlinear_solver.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -66,10 +68,10 @@ namespace lamella
   // last exception is rethrown. Regularized K changes the path of the
   // iteration, not its limit, since residuals are evaluated without it.
   TangentOperator
-  Newton::tangent(const State       &state,
-                  const BlockVector &correction,
-                  const LoadFactor  &to,
-                  Regularization    &regularization) const
+  NonlinearSolver::tangent(const State       &state,
+                           const BlockVector &correction,
+                           const LoadFactor  &to,
+                           Regularization    &regularization) const
   {
     // A shifted normal force would change the friction bound mu lambda_n.
     const bool         may_lean = !contacts.rows().has_friction();
@@ -106,11 +108,60 @@ namespace lamella
 
 
 
+  // Proximal point iteration on the rigid-body motions: offsets r_0 = r(u_k) of
+  // the last iteration make the springs free of force at convergence. The rate
+  // is s / (s + k), s and k the stiffness of springs and contact.
+  NonlinearSolver::SpringRelease
+  NonlinearSolver::release_springs(State &state) const
+  {
+    SpringRelease largest;
+    if (!structure.has_springs())
+      return largest;
+    SpringOffsets rest = structure.spring_lengths(state.u);
+    for (unsigned int b = 0; b < rest.size(); ++b)
+      for (unsigned int k = 0; k < rest[b].size(); ++k)
+        {
+          const double length =
+                         std::abs(rest[b][k] -
+                                  (state.rest.empty() ? 0. : state.rest[b][k])),
+                       force = structure.springs(b)[k].stiffness * length;
+          if (force >= largest.force)
+            {
+              largest.body   = b;
+              largest.spring = k;
+              largest.force  = force;
+            }
+          largest.length = std::max(largest.length, length);
+        }
+    state.rest = std::move(rest);
+    return largest;
+  }
+
+
+
+  bool
+  NonlinearSolver::springs_are_released(const SpringRelease &released,
+                                        const State         &state,
+                                        const LoadFactor    &to) const
+  {
+    if (linear == nullptr || !structure.has_springs())
+      return true;
+    double forces = std::max(structure.load(to).linfty_norm(),
+                             structure.thermal_load().linfty_norm());
+    for (const double lambda : state.force)
+      forces = std::max(forces, std::abs(lambda));
+    return released.length <= parameters.spring_offset_tolerance *
+                                linear->displacement_scale(state, to) ||
+           released.force <= parameters.spring_force_tolerance * forces;
+  }
+
+
+
   // S w = sum_k c s_k r_k^T (r_k w), c the regularization factor.
   void
-  Newton::add_spring_forces(const double       regularization_factor,
-                            const BlockVector &w,
-                            BlockVector       &f) const
+  NonlinearSolver::add_spring_forces(const double       regularization_factor,
+                                     const BlockVector &w,
+                                     BlockVector       &f) const
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       for (const auto &[row, stiffness] : structure.spring_terms(b))
@@ -207,11 +258,12 @@ namespace lamella
 
 
 
-  // Energy criterion of Newton::check_supports(): second variation of the
-  // energy in the subspace V = C R^T of motions that only springs restrain; it
-  // is negative for an unstable equilibrium.
+  // Energy criterion of NonlinearSolver::check_supports(): second variation of
+  // the energy in the subspace V = C R^T of motions that only springs restrain;
+  // it is negative for an unstable equilibrium.
   bool
-  Newton::check_supports(const State &state, const LoadFactor &to) const
+  NonlinearSolver::check_supports(const State      &state,
+                                  const LoadFactor &to) const
   {
     const double pressing = size_of_forces(structure, state, to);
     if (contacts.rows().has_friction() || pressing == 0.)
@@ -253,5 +305,119 @@ namespace lamella
         "solve.unstable-body: A body would turn over or slide away under its "
         "loads; only Stabilization prevents this. Add a Support.");
     return true;
+  }
+
+
+
+  // A rate of about 1: loads on the motion are balanced by the springs only.
+  void
+  NonlinearSolver::throw_unconstrained_motion(const std::string &body,
+                                              const std::string &motion,
+                                              const double       rate) const
+  {
+    const bool has_friction = contacts.rows().has_friction();
+    if (motion == motion_along_force)
+      throw NumericsError("solve.force-not-balanced: Obstacle '" + body +
+                          "': no contact balances its Force (in each iteration "
+                          "it moves " +
+                          to_text(rate, 4) +
+                          " times as far as in the iteration before). Point "
+                          "Force towards the bodies, check the positions of "
+                          "obstacle and bodies, or prescribe u.");
+    throw NumericsError(
+      "solve.unconstrained-motion: Body '" + body +
+      "' has a rigid-body motion that no support or contact prevents (" +
+      motion + ", in each iteration " + to_text(rate, 4) +
+      " times as far as in the iteration before): its contacts" +
+      (has_friction ? " and their friction" : "") +
+      " do not balance its loads. Add a support, " +
+      (has_friction ? "increase Friction, " : "") +
+      (has_friction && !linear->contact_strategy().forces_are_accurate() ?
+         "write Contact strategy = condensed (full may not converge where "
+         "friction alone constrains a body), " :
+         "") +
+      "close its gaps by a prescribed displacement, or load it towards the "
+      "other body.");
+  }
+
+
+
+  // With the rate q = s / (s + k) of the offsets, a share with the rate 0.1 is
+  // recommended; a rate of 1 means k = 0, an unconstrained motion.
+  void
+  NonlinearSolver::throw_not_settled(const Equilibrium   &at,
+                                     const SpringRelease &released,
+                                     const double         rate) const
+  {
+    constexpr double wanted_rate = 0.1;
+
+    if (released.force == 0. ||
+        springs_are_released(released, at.state, at.factor))
+      throw NumericsError(
+        "solve.not-converged: The contact did not converge in " +
+        std::to_string(at.state.iterations) +
+        " iterations: " + to_text(at.residual, 2) +
+        " of the forces are unbalanced, and gaps off "
+        "by " +
+        to_text(at.law_error, 2) + "." + describe_overlap() + " Try " +
+        linear->contact_strategy().remedy() +
+        ", a finer mesh at the contact edge, or larger Maximum iterations.");
+    const Spring     &worst = structure.springs(released.body)[released.spring];
+    const std::string name  = structure.bodies()[released.body]->name();
+    if (!(rate < 0.999) || worst.motion == motion_along_force)
+      throw_unconstrained_motion(name, worst.motion, rate);
+    throw NumericsError(
+      "solve.springs-too-stiff: The stabilizing springs of body '" + name +
+      "' are too stiff compared with its contacts (" + worst.motion +
+      "): the force in these springs decreases only by the factor " +
+      to_text(rate, 3) + " in each iteration. Write a smaller value, Body " +
+      name + "/Stabilization = " +
+      to_text(worst.share * wanted_rate / (1. - wanted_rate) * (1. - rate) /
+                rate,
+              1) +
+      ".");
+  }
+
+
+
+  // Names the first constraints that still change, and the initial overlap.
+  void
+  NonlinearSolver::check_rounds(const ContactStrategy           &strategy,
+                                const unsigned int               rounds,
+                                const std::vector<unsigned int> &changing) const
+  {
+    if (rounds < parameters.max_iterations)
+      return;
+    std::string names;
+    for (unsigned int k = 0; k < changing.size() && k < 3; ++k)
+      names += (k > 0 ? "; " : "") + describe(changing[k]);
+    throw NumericsError(
+      "solve.not-converged: The contact did not converge in " +
+      std::to_string(rounds) + " iterations; " +
+      std::to_string(changing.size()) + " of " +
+      std::to_string(contacts.rows().size()) +
+      " contact constraints still change between active and inactive (" +
+      names + (changing.size() > 3 ? "; ...)" : ")") + "." +
+      describe_overlap() + " Try " + strategy.remedy() +
+      ", smaller load steps, a finer mesh at the contact edge, or larger "
+      "Maximum iterations.");
+  }
+
+
+
+  std::string
+  NonlinearSolver::describe_overlap() const
+  {
+    const GapConstraints &rows    = contacts.rows();
+    unsigned int          deepest = 0;
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (rows[r].initial_gap < rows[deepest].initial_gap)
+        deepest = r;
+    if (rows.empty() || rows[deepest].initial_gap >= 0.)
+      return "";
+    return " Bodies overlap at the start by up to " +
+           to_text(-rows[deepest].initial_gap, 4) + " (" + describe(deepest) +
+           "): use Overclosure = adjust, which subtracts the overlap from the "
+           "gaps, or move them apart.";
   }
 } // namespace lamella

@@ -11,14 +11,16 @@
 // 5. update the state multiplicatively, u <- retract(u, du).
 
 #include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
 #include <lamella/solve/ill_conditioned.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/nonlinear_solver.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace lamella
@@ -36,24 +38,21 @@ namespace lamella
 
 
 
-    /// Returns a strategy for @p rows, by choose_strategy() for their gaps at
-    /// the displacements @p u and load factor @p to, less the tolerance
-    /// @p closed.
-    std::unique_ptr<ContactStrategy>
-    strategy_at(const Strategy         which,
-                const TangentOperator &about,
-                const GapConstraints  &rows,
-                const BlockVector     &u,
-                const LoadFactor      &to,
-                const double           closed)
+    /// Number of gaps and slips with friction of the active @p rows of @p
+    /// state; without any, of those with gaps of at most @p closed.
+    double
+    n_in_contact(const GapConstraints &rows,
+                 const State          &state,
+                 const LoadFactor     &to,
+                 const double          closed)
     {
-      if (which != Strategy::automatic || !rows.has_friction())
-        return make_strategy(which, about, rows);
-      std::vector<GapConstraint> here(rows.begin(), rows.end());
-      for (GapConstraint &row : here)
-        row.initial_gap = row.gap(u, to) - closed;
-      return make_strategy(
-        choose_strategy(which, about.of(), GapConstraints(here)), about, rows);
+      double n = 0.;
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        if (state.active.empty() ?
+              rows[r].gap(state.u, to) <= closed :
+              std::binary_search(state.active.begin(), state.active.end(), r))
+          n += rows[r].slips.empty() ? 0. : 1. + rows[r].slips.size();
+      return n;
     }
 
 
@@ -75,12 +74,11 @@ namespace lamella
 
   // The problem has total forces as multiplier estimates (method of
   // multipliers, Simo and Laursen, Comput. Struct. 42 (1992) 97-116).
-  ContactSolution
-  Newton::solve_contact(ContactStrategy      &strategy,
-                        const GapConstraints &rows,
-                        const BlockVector    &r,
-                        const LoadFactor     &to,
-                        State                &state) const
+  ContactProblem
+  NonlinearSolver::problem_at(const GapConstraints &rows,
+                              const BlockVector    &r,
+                              const LoadFactor     &to,
+                              const State          &state) const
   {
     ContactProblem problem;
     problem.residual = r;
@@ -88,20 +86,29 @@ namespace lamella
       problem.gap.push_back(row.gap(state.u, to));
     problem.force = problem.estimate = state.force;
     problem.start                    = state.active;
-    problem.closed                   = parameters.touching * structure.size();
+    problem.closed = parameters.touching * reference_length(state, to);
     if (!state.friction.empty())
       add_friction(rows, state, to, problem);
-    ContactSolution found =
-      strategy.solve(problem, [this, rounds = 0u](const Round &round) mutable {
-        if (round.counts && ++rounds > parameters.max_iterations)
-          throw NumericsError(
-            "solve.not-converged: The contact did not converge in " +
-            std::to_string(rounds - 1) +
-            " iterations. Increase Maximum iterations, or use smaller load steps.");
-        if (!round.changed.empty())
-          progress("  contact: " + std::to_string(round.active) +
-                   " rows active, " + std::to_string(round.changed.size()) +
-                   " change");
+    return problem;
+  }
+
+
+
+  ContactSolution
+  NonlinearSolver::solve_contact(ContactStrategy      &strategy,
+                                 const GapConstraints &rows,
+                                 const ContactProblem &problem,
+                                 State                &state) const
+  {
+    ContactSolution found = strategy.solve(
+      problem, [this, &strategy, rounds = 0u](const Round &round) mutable {
+        if (round.changed.empty())
+          return;
+        progress("  contact: " + std::to_string(round.active) +
+                 " rows active, " + std::to_string(round.changed.size()) +
+                 " change, gaps off by up to " + to_text(round.violation, 3));
+        if (round.counts)
+          check_rounds(strategy, ++rounds, round.changed);
       });
     store_forces(rows, found, state);
     return found;
@@ -112,10 +119,10 @@ namespace lamella
   // H w by central differences of B^T lambda about u, with the truncation error
   // of second order in a step relative to the size of the scene.
   BlockVector
-  Newton::rotation_of_constraints(const State       &state,
-                                  const BlockVector &u,
-                                  const BlockVector &w,
-                                  const LoadFactor  &to) const
+  NonlinearSolver::rotation_of_constraints(const State       &state,
+                                           const BlockVector &u,
+                                           const BlockVector &w,
+                                           const LoadFactor  &to) const
   {
     BlockVector  f      = structure.zero();
     const double length = length_of(w);
@@ -140,12 +147,12 @@ namespace lamella
   // the active constraints fixed, solved by GMRES (Saad and Schultz, SIAM J.
   // Sci. Stat. Comput. 7 (1986) 856-869) only if A du is not negligible.
   BlockVector
-  Newton::correct_row_rotation(ContactStrategy   &strategy,
-                               const BlockVector &u,
-                               const BlockVector &du,
-                               const double       regularization_factor,
-                               const LoadFactor  &to,
-                               State             &state) const
+  NonlinearSolver::correct_row_rotation(ContactStrategy   &strategy,
+                                        const BlockVector &u,
+                                        const BlockVector &du,
+                                        const double      regularization_factor,
+                                        const LoadFactor &to,
+                                        State            &state) const
   {
     if (state.active.empty())
       return du;
@@ -205,14 +212,15 @@ namespace lamella
   // The Cholesky factor of the tangent of the last correction proves a minimum
   // of the energy; that of the end is formed only after a large correction.
   void
-  Newton::check_stability(const BlockVector &before,
-                          const Correction  &last,
-                          const State       &state,
-                          const LoadFactor  &to) const
+  NonlinearSolver::check_stability(const BlockVector &before,
+                                   const Correction  &last,
+                                   const State       &state,
+                                   const LoadFactor  &to) const
   {
     if (last.is_unstable)
       throw_unstable();
-    if (structure.has_springs() && check_supports(state, to))
+    if (linear != nullptr ||
+        (structure.has_springs() && check_supports(state, to)))
       return;
     BlockVector way = state.u;
     way -= before;
@@ -227,12 +235,12 @@ namespace lamella
 
   // With a shift, contact forces of active constraints become lambda + rho g
   // before the contact problem and return to lambda after it.
-  Newton::Correction
-  Newton::correct(const BlockVector &r,
-                  const BlockVector &moved,
-                  const BlockVector &correction,
-                  const LoadFactor  &to,
-                  State             &state) const
+  NonlinearSolver::Correction
+  NonlinearSolver::correct(const BlockVector &r,
+                           const BlockVector &moved,
+                           const BlockVector &correction,
+                           const LoadFactor  &to,
+                           State             &state) const
   {
     Regularization        regularization;
     const TangentOperator about =
@@ -248,13 +256,17 @@ namespace lamella
         const GapConstraints rows   = shift ? shift->rows() : contacts.rows();
         const double         closed = parameters.touching * structure.size();
         const auto           solver =
-          strategy_at(strategy, about, rows, before, to, closed);
+          make_strategy(choose_strategy(strategy,
+                                        structure,
+                                        n_in_contact(rows, state, to, closed)),
+                        about,
+                        rows);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
         state.u += du;
         const ContactSolution transfer =
-          solve_contact(*solver, rows, r, to, state);
+          solve_contact(*solver, rows, problem_at(rows, r, to, state), state);
         du += transfer.du;
         unstable = transfer.is_unstable;
         if (shift)
@@ -264,9 +276,44 @@ namespace lamella
       }
     shorten(du);
     state.u = structure.retract(before, du);
-    // Springs contribute to K only; their offsets remove the force.
-    if (structure.has_springs())
-      state.rest = structure.spring_lengths(state.u);
+    release_springs(state);
     return {std::move(du), shift != nullptr, unstable};
+  }
+
+
+
+  // The first problem is about the state without contact, which has no
+  // unbalanced forces. Its rows start open, as in unloading they become tensile
+  // and activate others; those that penetrate take the forces of the estimate.
+  NonlinearSolver::Correction
+  NonlinearSolver::correct_linear(const BlockVector &r,
+                                  const LoadFactor  &to,
+                                  const State       &estimate,
+                                  State             &state) const
+  {
+    const GapConstraints &rows    = contacts.rows();
+    ContactProblem        problem = problem_at(rows, r, to, state);
+    problem.closed                = std::max(problem.closed, state.rounding());
+    if (estimate.u.n_blocks() > 0)
+      {
+        problem.residual.reinit(0);
+        problem.start.clear();
+        for (const unsigned int row : estimate.active)
+          if (problem.gap[row] < 0.)
+            {
+              problem.start.push_back(row);
+              problem.estimate[row] = estimate.force[row];
+            }
+        if (!estimate.friction.empty())
+          problem.first_forces = forces_by_rows(rows, estimate);
+      }
+    BlockVector           du = state.u;
+    const ContactSolution transfer =
+      solve_contact(linear->contact_strategy(), rows, problem, state);
+    state.u += transfer.du;
+    linear->refine_contact(state, to);
+    du -= state.u;
+    du *= -1.;
+    return {std::move(du), false, transfer.is_unstable, release_springs(state)};
   }
 } // namespace lamella

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_solve_newton_h
-#define lamella_solve_newton_h
+#ifndef lamella_solve_nonlinear_solver_h
+#define lamella_solve_nonlinear_solver_h
 
-#include <lamella/base/arithmetic.h>
 #include <lamella/solve/active_constraint_shift.h>
-#include <lamella/solve/contact_solver.h>
+#include <lamella/solve/linear_system.h>
 #include <lamella/solve/moving_contacts.h>
+#include <lamella/solve/nonlinear_parameters.h>
 #include <lamella/solve/tangent_operator.h>
 
 #include <functional>
@@ -16,61 +16,7 @@
 
 namespace lamella
 {
-  /// Tolerances, limits and fallback options of Newton's method.
-  struct NewtonParameters
-  {
-    /// Maximum number of iterations of a step, and of its contact iterations.
-    unsigned int max_iterations = 30;
-    /// Equilibrium is reached if the norm of the unbalanced forces, over that
-    /// of the internal forces or of the loads, is at most this value.
-    double force_tolerance = arithmetic::rounding_of_solutions;
-    /// Relative residual below which stagnation counts as convergence. Rounding
-    /// errors of slender bodies are (length / thickness)^3 1e-16.
-    double stagnation_level = arithmetic::same_value;
-    /// Two successive ratios of residuals above this count as stagnation.
-    double stall_ratio = 0.5;
-    /// Relative residual that is accepted if the correction is negligible.
-    double near_equilibrium = 1e-3;
-    /// Correction over the scene diagonal that counts as negligible.
-    double negligible_correction = arithmetic::same_position;
-    /// The iteration diverges above this ratio of residual to initial residual.
-    double divergence_ratio = 1e12;
-    /// A residual below this fraction of the initial residual counts as zero.
-    double nothing = arithmetic::rounding_of_sums;
-    /// Tolerance of the contact law over the largest displacement, replaced by
-    /// `stagnation_level` if the error of the law stagnates.
-    double law = arithmetic::negligible;
-    /// Error of the contact law over the scene diagonal that counts as zero.
-    double touching = arithmetic::rounding;
-    /// Step, over the scene diagonal, of finite differences of contact normals.
-    double difference = arithmetic::same_value;
-    /// Relative tolerance of GMRES in Newton::correct_row_rotation().
-    double rotation_tolerance = 1e-3;
-    /// Maximum number of GMRES iterations in Newton::correct_row_rotation().
-    unsigned int max_rotation_corrections = 20;
-    /// Largest factor, over that of the springs' stiffness, by which removal of
-    /// stabilizing springs may enlarge a correction; otherwise they stay in it.
-    double max_spring_influence = 10.;
-    /// Largest correction over the scene diagonal at which a stagnating
-    /// residual counts as converged, if bodies have stabilizing springs.
-    double converged_change = 1e-7;
-    /// A motion that only springs restrain is unstable if its stiffness without
-    /// springs is below minus this factor times contact force over diagonal.
-    double instability_share = 0.2;
-    /// Maximum number of times that surfaces are paired anew in a load step.
-    unsigned int max_pairings = 3;
-    /// Newton::check_stability() needs no new factorization if the last
-    /// correction is at most this fraction of the displacement increment.
-    double converged_step = 0.01;
-    /// Largest rotation in an iteration [rad]; a larger increment is scaled.
-    double spin = 1.;
-    /// Maximum number of bisections of a load step.
-    unsigned int max_bisections = 6;
-    /// Largest support rotation in a step [rad]; larger steps are divided.
-    double rotation = 2.;
-  };
-
-  /// Equilibrium state at finite rotations, with its remaining errors.
+  /// Equilibrium state of a load step, with its remaining errors.
   struct Equilibrium
   {
     /// State; its number of iterations includes failed attempts.
@@ -85,7 +31,8 @@ namespace lamella
     double rounding = 0.;
   };
 
-  /// Newton's method for structures with nonlinear internal forces and contact,
+  /// Newton's method for structures with contact, linear or with finite
+  /// rotations,
   ///   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
   /// from one load factor t to the next, with internal forces f_int, loads f,
   /// contact forces lambda, gaps g(u, t) >= 0 and their gradient B, free DoFs v
@@ -101,32 +48,49 @@ namespace lamella
   /// the present displacements, then bisected. Stabilizing springs contribute
   /// to K only; they have no force at the iterate.
   ///
+  /// With a LinearSystem, K and B are constant, and a step starts from the
+  /// solution without contact. The first contact problem finds the active set;
+  /// each iteration ends with a refinement of displacements and forces
+  /// (LinearSystem::refine_contact()). The forces of an iteration are the
+  /// estimates of the next one (method of multipliers).
+  ///
   /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
   /// surfaces are in contact; unpaired surfaces in contact are paired anew. The
   /// state is stable if K is then positive definite. For bodies supported by an
   /// obstacle only, K is regularized by ActiveConstraintShift. Keeps references
   /// to structure and contacts. Collective.
-  class Newton
+  class NonlinearSolver
   {
   public:
     /// Callback that receives a line of text.
     using Progress = std::function<void(const std::string &)>;
+    /// Function that returns a description of the gap constraint with an index.
+    using Describe = std::function<std::string(const unsigned int)>;
 
     /// Creates a solver without contact; @p requested is the linear solver.
-    explicit Newton(const Structure        &structure,
-                    const SolverKind        requested  = SolverKind::automatic,
-                    const NewtonParameters &parameters = NewtonParameters());
+    explicit NonlinearSolver(
+      const Structure           &structure,
+      const SolverKind           requested  = SolverKind::automatic,
+      const NonlinearParameters &parameters = NonlinearParameters());
 
     /// Creates a solver with @p contacts, which are left at the last state.
     /// Their linearized problems are solved by @p strategy.
-    Newton(const Structure        &structure,
-           const MovingContacts   &contacts,
-           const SolverKind        requested,
-           const NewtonParameters &parameters,
-           const Strategy          strategy = Strategy::condensed);
+    NonlinearSolver(const Structure           &structure,
+                    const MovingContacts      &contacts,
+                    const SolverKind           requested,
+                    const NonlinearParameters &parameters,
+                    const Strategy             strategy = Strategy::condensed);
+
+    /// Creates a solver for the constant stiffness and the constraints of @p
+    /// linear, which must outlive this object.
+    explicit NonlinearSolver(
+      LinearSystem              &linear,
+      const NonlinearParameters &parameters = NonlinearParameters());
 
     /// Callback with a line of text per iteration; empty by default.
     Progress progress;
+    /// Description of a gap constraint in messages; its index by default.
+    Describe describe;
     /// Callbacks during the factorization of each body.
     TangentOperator::BodyMonitor monitor;
 
@@ -147,6 +111,11 @@ namespace lamella
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
+    /// Returns the equilibrium state at load factor @p factor, starting from
+    /// the state @p previous; empty: the unloaded one. Calls advance().
+    State
+    solve(const LoadFactor &factor, const State &previous = State());
+
     /// Returns the contacts, whose constraints are those of the last state.
     const MovingContacts &
     moving() const
@@ -161,10 +130,29 @@ namespace lamella
     {
       BlockVector moved, r;
       double      size = 0.;
+      /// State whose contact forces are the first estimates, if not empty.
+      State estimate = State();
+      /// True if the state without contact is the solution.
+      bool is_solution = false;
     };
     /// Returns the data for a load step from @p at to load factor @p to.
     StepStart
     step_start(const LoadFactor &to, const Equilibrium &at) const;
+    /// Replaces the state of @p at by the linear solution without contact at
+    /// load factor @p to, and returns the data for a load step from there.
+    StepStart
+    linear_start(const LoadFactor &to, Equilibrium &at) const;
+    /// Returns true if @p state, without contact forces, is the solution at
+    /// load factor @p to, after the state @p previous.
+    bool
+    is_open(const State      &state,
+            const State      &previous,
+            const LoadFactor &to) const;
+
+    /// Returns the tangent at the displacements of @p state without solvers;
+    /// of linear structures, the constant one.
+    std::shared_ptr<const TangentOperator>
+    tangent_at(const State &state) const;
 
     /// Returns the largest support rotation between two load factors [rad].
     double
@@ -180,12 +168,26 @@ namespace lamella
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
+    /// Stabilizing spring with the largest change of force in an iteration, and
+    /// its change of length and force.
+    struct SpringRelease
+    {
+      unsigned int body = 0, spring = 0;
+      double       length = 0., force = 0.;
+    };
+    /// Changes the offsets of the springs of @p state to their present lengths,
+    /// where they have no force.
+    SpringRelease
+    release_springs(State &state) const;
+
     /// Result of an iteration: displacement increment, whether
-    /// ActiveConstraintShift was used, and whether friction is unstable.
+    /// ActiveConstraintShift was used, whether friction is unstable, and the
+    /// spring with the largest force.
     struct Correction
     {
-      BlockVector du;
-      bool        uses_constraint_shift = false, is_unstable = false;
+      BlockVector   du;
+      bool          uses_constraint_shift = false, is_unstable = false;
+      SpringRelease released = {};
     };
 
     /// Performs one iteration: adds to @p state, and returns, the correction
@@ -197,6 +199,13 @@ namespace lamella
             const BlockVector &correction,
             const LoadFactor  &to,
             State             &state) const;
+    /// Performs one iteration of a linear structure. Contact forces of @p
+    /// estimate, if not empty, are the first estimates.
+    Correction
+    correct_linear(const BlockVector &r,
+                   const LoadFactor  &to,
+                   const State       &estimate,
+                   State             &state) const;
 
     /// Regularization of an indefinite tangent: by active constraints, or by
     /// springs with stiffnesses multiplied by `regularization_factor`.
@@ -241,14 +250,29 @@ namespace lamella
     bool
     check_supports(const State &state, const LoadFactor &to) const;
 
-    /// Solves the contact problem of @p rows in @p state with the unbalanced
-    /// forces @p r at load factor @p to by @p strategy; returns its solution.
+    /// Returns the contact problem of @p rows in @p state with the unbalanced
+    /// forces @p r at load factor @p to.
+    ContactProblem
+    problem_at(const GapConstraints &rows,
+               const BlockVector    &r,
+               const LoadFactor     &to,
+               const State          &state) const;
+    /// Solves @p problem of @p rows by @p strategy; returns its solution, whose
+    /// forces are those of @p state then.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
                   const GapConstraints &rows,
-                  const BlockVector    &r,
-                  const LoadFactor     &to,
+                  const ContactProblem &problem,
                   State                &state) const;
+    /// Throws NumericsError if @p rounds of the @p strategy exceed
+    /// max_iterations. The message names three of the constraints @p changing.
+    void
+    check_rounds(const ContactStrategy           &strategy,
+                 const unsigned int               rounds,
+                 const std::vector<unsigned int> &changing) const;
+    /// Returns a sentence on the initial overlap of bodies, if any.
+    std::string
+    describe_overlap() const;
 
     /// Returns the correction @p du of the displacements @p u, improved by the
     /// rotation of contact normals and without forces of stabilizing springs.
@@ -281,6 +305,10 @@ namespace lamella
                             const BlockVector &w,
                             const LoadFactor  &to) const;
 
+    /// Returns the length to which tolerances refer: the scene diagonal, for
+    /// linear structures LinearSystem::displacement_scale().
+    double
+    reference_length(const State &state, const LoadFactor &to) const;
     /// Returns the largest displacement component of @p u [length]. DoFs that
     /// are no lengths (rotations, warping) are scaled by DofInfo::scale.
     double
@@ -326,6 +354,12 @@ namespace lamella
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
+    /// Returns true if the forces and motions of @p released springs, of linear
+    /// structures, are rounding errors in @p state at load factor @p to.
+    bool
+    springs_are_released(const SpringRelease &released,
+                         const State         &state,
+                         const LoadFactor    &to) const;
 
     /// Returns true if the forces @p r at displacements @p u are rounding.
     bool
@@ -333,28 +367,46 @@ namespace lamella
                 const BlockVector     &r,
                 const BlockVector     &u) const;
 
+    /// Throws NumericsError: the iterations of a linear structure did not
+    /// converge. The spring with the largest force is @p released, and @p rate
+    /// is the ratio of its last two changes of length.
+    [[noreturn]] void
+    throw_not_settled(const Equilibrium   &at,
+                      const SpringRelease &released,
+                      const double         rate) const;
+    /// Throws NumericsError for the rigid motion @p motion of @p body, if no
+    /// contact balances its loads.
+    [[noreturn]] void
+    throw_unconstrained_motion(const std::string &body,
+                               const std::string &motion,
+                               const double       rate) const;
+
     /// Throws NumericsError with the factor reached and the cause of failure.
     [[noreturn]] void
     throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
 
     /// Returns true if the displacements @p way are at most
-    /// NewtonParameters::negligible_correction times the scene diagonal.
+    /// NonlinearParameters::negligible_correction times the scene diagonal.
     bool
     is_negligible(const BlockVector &way) const;
 
     /// Returns true if the last errors @p missed of the contact law are within
-    /// tolerance for the largest displacement @p size.
+    /// tolerance for @p state at load factor @p to. Increases the penalty of a
+    /// linear structure if the error decreases slowly.
     bool
     satisfies_contact_law(const ResidualHistory &missed,
-                          const double           size) const;
+                          const State           &state,
+                          const LoadFactor      &to) const;
 
-    const Structure &structure;
-    MovingContacts   contacts;
+    /// Constant equations of a linear structure; null for finite rotations.
+    LinearSystem *const linear = nullptr;
+    const Structure    &structure;
+    MovingContacts      contacts;
     /// Message of the last failed attempt, and why a contact was lost in it.
-    std::string            last_failure, lost_contact;
-    const SolverKind       requested;
-    const NewtonParameters parameters;
-    const Strategy         strategy; ///< Of the linearized contact problems.
+    std::string               last_failure, lost_contact;
+    const SolverKind          requested;
+    const NonlinearParameters parameters;
+    const Strategy            strategy; ///< Of the linearized contact problems.
   };
 } // namespace lamella
 

@@ -4,7 +4,7 @@
 #include <lamella/base/text.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/friction_step.h>
-#include <lamella/solve/newton.h>
+#include <lamella/solve/nonlinear_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,20 @@
 //   attempt()  tries one part with predicted and with actual stresses,
 //   step()     iterates until equilibrium, contact law and pairing hold,
 //   correct()  solves one linearized contact problem (newton_iteration.cc).
-// Residuals are G^T (f + B^T lambda - f_int), from quadrature points.
+// Residuals are G^T (f + B^T lambda - f_int), from quadrature points. Linear
+// structures keep tangent and rows, and have one part: step() with
+// correct_linear().
 namespace lamella
 {
   namespace
   {
-    const std::vector<ContactInterface> no_interfaces;
-    const Contacts                      no_contacts;
+    const std::vector<GapConstraint> no_rows;
+
+    std::string
+    number_of_row(const unsigned int row)
+    {
+      return "row " + std::to_string(row);
+    }
 
 
 
@@ -39,23 +46,24 @@ namespace lamella
 
 
 
-  Newton::Newton(const Structure        &structure,
-                 const SolverKind        requested,
-                 const NewtonParameters &parameters)
-    : Newton(structure,
-             MovingContacts(no_interfaces, no_contacts),
-             requested,
-             parameters)
+  NonlinearSolver::NonlinearSolver(const Structure           &structure,
+                                   const SolverKind           requested,
+                                   const NonlinearParameters &parameters)
+    : NonlinearSolver(structure,
+                      MovingContacts(GapConstraints(no_rows)),
+                      requested,
+                      parameters)
   {}
 
 
 
-  Newton::Newton(const Structure        &structure,
-                 const MovingContacts   &contacts,
-                 const SolverKind        requested,
-                 const NewtonParameters &parameters,
-                 const Strategy          strategy)
+  NonlinearSolver::NonlinearSolver(const Structure           &structure,
+                                   const MovingContacts      &contacts,
+                                   const SolverKind           requested,
+                                   const NonlinearParameters &parameters,
+                                   const Strategy             strategy)
     : progress([](const std::string &) {})
+    , describe(number_of_row)
     , structure(structure)
     , contacts(contacts)
     , requested(requested)
@@ -65,8 +73,22 @@ namespace lamella
 
 
 
+  NonlinearSolver::NonlinearSolver(LinearSystem              &linear,
+                                   const NonlinearParameters &parameters)
+    : progress([](const std::string &) {})
+    , describe(number_of_row)
+    , linear(&linear)
+    , structure(linear.tangent().of())
+    , contacts(linear.constraints())
+    , requested(SolverKind::automatic)
+    , parameters(parameters)
+    , strategy(Strategy::undefined)
+  {}
+
+
+
   Equilibrium
-  Newton::unloaded(const LoadFactor &factor) const
+  NonlinearSolver::unloaded(const LoadFactor &factor) const
   {
     Equilibrium at;
     at.state.u = structure.zero();
@@ -80,7 +102,8 @@ namespace lamella
 
 
   BlockVector
-  Newton::unbalanced(const State &state, const LoadFactor &factor) const
+  NonlinearSolver::unbalanced(const State      &state,
+                              const LoadFactor &factor) const
   {
     BlockVector r = structure.residual(state.u, factor, state.rest);
     contacts.add_forces(state, r);
@@ -90,7 +113,7 @@ namespace lamella
 
 
   BlockVector
-  Newton::condensed(const TangentOperator &here, BlockVector r)
+  NonlinearSolver::condensed(const TangentOperator &here, BlockVector r)
   {
     here.condense(r);
     return r;
@@ -102,11 +125,11 @@ namespace lamella
   // norms, and the violation of the contact law. Residuals below the rounding
   // of the initial forces count as zero.
   bool
-  Newton::measure(const TangentOperator &here,
-                  const BlockVector     &r,
-                  const LoadFactor      &factor,
-                  double                &began,
-                  Equilibrium           &at) const
+  NonlinearSolver::measure(const TangentOperator &here,
+                           const BlockVector     &r,
+                           const LoadFactor      &factor,
+                           double                &began,
+                           Equilibrium           &at) const
   {
     const BlockVector load     = structure.load(factor, at.state.u);
     BlockVector       internal = load;
@@ -142,7 +165,7 @@ namespace lamella
 
 
   void
-  Newton::ResidualHistory::add(const double left)
+  NonlinearSolver::ResidualHistory::add(const double left)
   {
     earlier = before;
     before  = now;
@@ -152,19 +175,33 @@ namespace lamella
 
 
   bool
-  Newton::ResidualHistory::stagnates(const double share) const
+  NonlinearSolver::ResidualHistory::stagnates(const double share) const
   {
     return now > share * before && before > share * earlier;
   }
 
 
 
-  // Three criteria: the force tolerance; stagnation of the residual below the
-  // rounding of slender bodies; a negligible correction near equilibrium.
-  bool
-  Newton::is_equilibrium(const ResidualHistory &unbalanced,
-                         const double           change) const
+  double
+  NonlinearSolver::reference_length(const State      &state,
+                                    const LoadFactor &to) const
   {
+    return linear != nullptr ? linear->displacement_scale(state, to) :
+                               structure.size();
+  }
+
+
+
+  // Linear structures: refinement has reduced the residual to rounding.
+  // Otherwise three criteria: the force tolerance; stagnation of the residual
+  // below the rounding of slender bodies; a negligible correction near
+  // equilibrium.
+  bool
+  NonlinearSolver::is_equilibrium(const ResidualHistory &unbalanced,
+                                  const double           change) const
+  {
+    if (linear != nullptr)
+      return true;
     // If all forces vanish, convergence is judged by the correction.
     if (unbalanced.now == 0.)
       return change <= parameters.negligible_correction * structure.size();
@@ -180,9 +217,9 @@ namespace lamella
 
 
   bool
-  Newton::is_rounding(const TangentOperator &here,
-                      const BlockVector     &r,
-                      const BlockVector     &u) const
+  NonlinearSolver::is_rounding(const TangentOperator &here,
+                               const BlockVector     &r,
+                               const BlockVector     &u) const
   {
     for (unsigned int b = 0; b < u.n_blocks(); ++b)
       if (!(r.block(b).l2_norm() <= rounding_of_forces(here, u, b)))
@@ -193,7 +230,7 @@ namespace lamella
 
 
   bool
-  Newton::is_negligible(const BlockVector &way) const
+  NonlinearSolver::is_negligible(const BlockVector &way) const
   {
     return length_of(way) <=
            parameters.negligible_correction * structure.size();
@@ -203,20 +240,35 @@ namespace lamella
 
   // Tolerance by displacement and size of the scene, or stagnation.
   bool
-  Newton::satisfies_contact_law(const ResidualHistory &missed,
-                                const double           size) const
+  NonlinearSolver::satisfies_contact_law(const ResidualHistory &missed,
+                                         const State           &state,
+                                         const LoadFactor      &to) const
   {
-    return missed.now <= std::max(parameters.law * size,
-                                  parameters.touching * structure.size()) ||
-           (missed.now < parameters.stagnation_level * size &&
-            missed.stagnates(parameters.stall_ratio));
+    if (linear == nullptr)
+      {
+        const double size = length_of(state.u);
+        return missed.now <= std::max(parameters.law * size,
+                                      parameters.touching * structure.size()) ||
+               (missed.now < parameters.stagnation_level * size &&
+                missed.stagnates(parameters.stall_ratio));
+      }
+    const double size    = reference_length(state, to);
+    const bool   is_slow = missed.now > parameters.slow * missed.before;
+    if (missed.now <= std::max((is_slow ? parameters.weak_linear_law :
+                                          parameters.linear_law) *
+                                 size,
+                               state.rounding()))
+      return true;
+    if (is_slow)
+      linear->contact_strategy().increase_penalty();
+    return false;
   }
 
 
 
   // Maximum norm in lengths: amplitudes of warping are scaled by their fields.
   double
-  Newton::length_of(const BlockVector &u) const
+  NonlinearSolver::length_of(const BlockVector &u) const
   {
     double largest = 0.;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -231,7 +283,7 @@ namespace lamella
   // Trust region of rotations: the correction of a body is scaled so that no
   // rotation increment exceeds the limit.
   void
-  Newton::shorten(BlockVector &change) const
+  NonlinearSolver::shorten(BlockVector &change) const
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       if (const double spin =
@@ -242,10 +294,56 @@ namespace lamella
 
 
 
+  // Warm start from the forces of the previous step, whose slips stay.
+  NonlinearSolver::StepStart
+  NonlinearSolver::linear_start(const LoadFactor &to, Equilibrium &at) const
+  {
+    StepStart   start;
+    State      &state    = at.state;
+    const State previous = std::move(state);
+    state                = linear->solve_free(to);
+    if (contacts.rows().has_friction())
+      {
+        state.friction          = FrictionState::unloaded(contacts.rows());
+        state.friction.before   = previous.friction.before;
+        state.friction.history  = previous.friction.history;
+        state.friction.path_gap = previous.friction.path_gap;
+      }
+    start.moved       = structure.zero();
+    start.r           = structure.zero();
+    start.is_solution = is_open(state, previous, to);
+    start.estimate    = previous;
+    return start;
+  }
+
+
+
+  // With friction, jammed bodies keep their forces in open gaps, too.
+  bool
+  NonlinearSolver::is_open(const State      &state,
+                           const State      &previous,
+                           const LoadFactor &to) const
+  {
+    const GapConstraints &rows = contacts.rows();
+    if (rows.empty())
+      return true;
+    if (structure.has_springs() ||
+        (rows.has_friction() && !previous.active.empty()))
+      return false;
+    const double closed =
+      std::max(parameters.touching * reference_length(state, to),
+               state.rounding());
+    return std::none_of(rows.begin(), rows.end(), [&](const auto &row) {
+      return row.gap(state.u, to) < -closed;
+    });
+  }
+
+
+
   // Linear predictor of the supports: the motion u_p of
   // the increment enters the first residual as the forces -K u_p.
-  Newton::StepStart
-  Newton::step_start(const LoadFactor &to, const Equilibrium &at) const
+  NonlinearSolver::StepStart
+  NonlinearSolver::step_start(const LoadFactor &to, const Equilibrium &at) const
   {
     StepStart             result;
     const TangentOperator here(structure, at.state.u);
@@ -273,10 +371,21 @@ namespace lamella
 
 
 
+  std::shared_ptr<const TangentOperator>
+  NonlinearSolver::tangent_at(const State &state) const
+  {
+    return linear != nullptr ?
+             linear->shared_tangent() :
+             std::make_shared<const TangentOperator>(structure, state.u);
+  }
+
+
+
   // Rotations of supports are limited per step, as a position does not
   // determine the number of revolutions.
   double
-  Newton::largest_rotation(const LoadFactor &from, const LoadFactor &to) const
+  NonlinearSolver::largest_rotation(const LoadFactor &from,
+                                    const LoadFactor &to) const
   {
     double largest = 0.;
     for (const PrescribedFunctional &row : structure.prescribed())
@@ -296,51 +405,59 @@ namespace lamella
   // 4. after convergence, surfaces in contact without a row are paired anew,
   //    otherwise the tangent is checked for stability.
   bool
-  Newton::step(const LoadFactor &to, const bool predicted, Equilibrium &at)
+  NonlinearSolver::step(const LoadFactor &to,
+                        const bool        predicted,
+                        Equilibrium      &at)
   {
     State            &state  = at.state;
     const BlockVector before = state.u;
     contacts.begin_step(state, at.factor);
-    auto [moved, r, began] = step_start(to, at);
+    StepStart start =
+      linear != nullptr ? linear_start(to, at) : step_start(to, at);
+    auto &[moved, r, began, estimate, is_solution] = start;
     Correction      last;
-    ResidualHistory forces, gaps;
+    ResidualHistory forces, gaps, springs;
     unsigned int    pairings = 0;
-    for (unsigned int k = 0; k < parameters.max_iterations; ++k)
+    for (unsigned int k = 0; k < parameters.max_iterations && !is_solution; ++k)
       {
         ++state.iterations;
         // Thermal strains of the increment are mostly free of stress, so the
         // first tangent uses the previous heat factor.
-        last = correct(r,
-                       moved,
-                       predicted ? last.du : BlockVector(),
-                       k == 0 ? to.with_thermal_factor_of(at.factor) : to,
-                       state);
+        last = linear != nullptr ?
+                 correct_linear(r, to, k == 0 ? estimate : State(), state) :
+                 correct(r,
+                         moved,
+                         predicted ? last.du : BlockVector(),
+                         k == 0 ? to.with_thermal_factor_of(at.factor) : to,
+                         state);
 
         structure.check_orientation(state.u);
         contacts.move(state, to);
-        const TangentOperator here(structure, state.u);
-        r = unbalanced(state, to);
-        if (!measure(here, r, to, began, at))
+        const auto tangent = tangent_at(state);
+        r                  = unbalanced(state, to);
+        if (!measure(*tangent, r, to, began, at))
           return false;
         // Rotating rows are off their prescribed values by second-order terms.
-        moved = here.support_increment(to, to);
+        moved = tangent->support_increment(to, to);
         forces.add(at.residual);
         gaps.add(at.law_error);
-        const double change   = length_of(last.du);
-        const bool   balances = is_equilibrium(forces, change);
-        if (is_negligible(moved) &&
-            satisfies_contact_law(gaps, length_of(state.u)) &&
-            (balances || (is_negligible(last.du) &&
-                          is_rounding(here, condensed(here, r), state.u))))
+        springs.add(last.released.length);
+        const double change    = length_of(last.du);
+        const bool   balances  = is_equilibrium(forces, change);
+        const bool   holds_law = satisfies_contact_law(gaps, state, to);
+        if (is_negligible(moved) && holds_law &&
+            springs_are_released(last.released, state, to) &&
+            (balances ||
+             (is_negligible(last.du) &&
+              is_rounding(*tangent, condensed(*tangent, r), state.u))))
           {
             if (contacts.none() || !contacts.find_loads(state, to))
               {
                 contacts.check_kept(before, at.factor, state, to);
                 check_stability(before, last, state, to);
-                end_step(contacts.rows(), to, true, state);
-                at.factor   = to;
                 at.rounding = balances && at.residual > 0. ? 0. : change;
-                return true;
+                is_solution = true;
+                break;
               }
             if (++pairings > parameters.max_pairings)
               return false;
@@ -349,17 +466,27 @@ namespace lamella
             began = 0.;
           }
         if (moved.l2_norm() > 0.)
-          r -= here.apply(moved);
+          r -= tangent->apply(moved);
       }
-    return false;
+    if (is_solution)
+      {
+        end_step(contacts.rows(), to, linear == nullptr, state);
+        at.factor = to;
+      }
+    else if (linear != nullptr)
+      throw_not_settled(at, last.released, springs.now / springs.before);
+    return is_solution;
   }
 
 
 
-  // A failed attempt restores the state and the pairing of the start.
+  // A failed attempt restores the state and the pairing of the start. Linear
+  // structures have one attempt, as no smaller step does better.
   bool
-  Newton::attempt(const LoadFactor &to, Equilibrium &at)
+  NonlinearSolver::attempt(const LoadFactor &to, Equilibrium &at)
   {
+    if (linear != nullptr)
+      return step(to, false, at);
     const Equilibrium before   = at;
     const auto        pairings = contacts.memory();
     const auto        back     = [&] {
@@ -395,8 +522,8 @@ namespace lamella
 
 
   void
-  Newton::throw_not_converged(const LoadFactor &reached,
-                              const LoadFactor &to) const
+  NonlinearSolver::throw_not_converged(const LoadFactor &reached,
+                                       const LoadFactor &to) const
   {
     const std::string where = "beyond load factor " +
                               to_text(reached.of_scene(), 6) +
@@ -424,10 +551,21 @@ namespace lamella
 
 
 
+  State
+  NonlinearSolver::solve(const LoadFactor &factor, const State &previous)
+  {
+    Equilibrium start = unloaded(factor);
+    if (previous.u.n_blocks() > 0)
+      start.state = previous;
+    return advance(start, factor).state;
+  }
+
+
+
   // Automatic step division: halve after a failure, continue with the reduced
   // fraction after a success (Crisfield, Sec. 9.5).
   Equilibrium
-  Newton::advance(const Equilibrium &start, const LoadFactor &to)
+  NonlinearSolver::advance(const Equilibrium &start, const LoadFactor &to)
   {
     Equilibrium at      = start;
     at.state.iterations = at.cuts = 0;
@@ -446,6 +584,8 @@ namespace lamella
             done = next;
             continue;
           }
+        if (linear != nullptr)
+          throw_not_settled(at, {}, 0.);
         way /= 2.;
         if (++at.cuts > parameters.max_bisections)
           throw_not_converged(at.factor, to);
