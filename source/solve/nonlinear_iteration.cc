@@ -253,14 +253,11 @@ namespace lamella
       du += about.solve(r);
     else
       {
-        const GapConstraints rows   = shift ? shift->rows() : contacts.rows();
-        const double         closed = parameters.touching * structure.size();
-        const auto           solver =
-          make_strategy(choose_strategy(strategy,
-                                        structure,
-                                        n_in_contact(rows, state, to, closed)),
-                        about,
-                        rows);
+        const GapConstraints rows = shift ? shift->rows() : contacts.rows();
+        const double         n =
+          n_in_contact(rows, state, to, parameters.touching * structure.size());
+        const auto solver =
+          make_strategy(choose_strategy(strategy, structure, n), about, rows);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
@@ -314,6 +311,10 @@ namespace lamella
     linear->refine_contact(state, to);
     du -= state.u;
     du *= -1.;
-    return {std::move(du), false, transfer.is_unstable, release_springs(state)};
+    const SpringRelease released = release_springs(state);
+    if (released.length > 0.)
+      progress("  stabilizing springs released: bodies move by up to " +
+               to_text(released.length, 2));
+    return {std::move(du), false, transfer.is_unstable, released};
   }
 } // namespace lamella

@@ -398,6 +398,45 @@ namespace lamella
 
 
 
+  // Forces, gaps and springs; the correction counts where all forces vanish.
+  bool
+  NonlinearSolver::is_converged(const Correction      &last,
+                                const TangentOperator &here,
+                                const BlockVector     &r,
+                                const LoadFactor      &to,
+                                Residuals             &residuals,
+                                Equilibrium           &at) const
+  {
+    const State &state = at.state;
+    residuals.forces.add(at.residual);
+    residuals.gaps.add(at.law_error);
+    residuals.springs.add(last.released.length);
+    const double change   = length_of(last.du);
+    const bool   balances = is_equilibrium(residuals.forces, change);
+    at.rounding           = balances && at.residual > 0. ? 0. : change;
+    return satisfies_contact_law(residuals.gaps, state, to) &&
+           springs_are_released(last.released, state, to) &&
+           (balances || (is_negligible(last.du) &&
+                         is_rounding(here, condensed(here, r), state.u)));
+  }
+
+
+
+  bool
+  NonlinearSolver::has_all_pairs(const BlockVector &before,
+                                 const Correction  &last,
+                                 const LoadFactor  &to,
+                                 Equilibrium       &at)
+  {
+    if (!contacts.none() && contacts.find_loads(at.state, to))
+      return false;
+    contacts.check_kept(before, at.factor, at.state, to);
+    check_stability(before, last, at.state, to);
+    return true;
+  }
+
+
+
   // One load increment. In each iteration k:
   // 1. correct() solves the linearized contact problem about u_k;
   // 2. contacts move to u_(k+1), and the residual is evaluated there;
@@ -415,9 +454,9 @@ namespace lamella
     StepStart start =
       linear != nullptr ? linear_start(to, at) : step_start(to, at);
     auto &[moved, r, began, estimate, is_solution] = start;
-    Correction      last;
-    ResidualHistory forces, gaps, springs;
-    unsigned int    pairings = 0;
+    Correction   last;
+    Residuals    residuals;
+    unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations && !is_solution; ++k)
       {
         ++state.iterations;
@@ -439,26 +478,12 @@ namespace lamella
           return false;
         // Rotating rows are off their prescribed values by second-order terms.
         moved = tangent->support_increment(to, to);
-        forces.add(at.residual);
-        gaps.add(at.law_error);
-        springs.add(last.released.length);
-        const double change    = length_of(last.du);
-        const bool   balances  = is_equilibrium(forces, change);
-        const bool   holds_law = satisfies_contact_law(gaps, state, to);
-        if (is_negligible(moved) && holds_law &&
-            springs_are_released(last.released, state, to) &&
-            (balances ||
-             (is_negligible(last.du) &&
-              is_rounding(*tangent, condensed(*tangent, r), state.u))))
+        if (is_converged(last, *tangent, r, to, residuals, at) &&
+            is_negligible(moved))
           {
-            if (contacts.none() || !contacts.find_loads(state, to))
-              {
-                contacts.check_kept(before, at.factor, state, to);
-                check_stability(before, last, state, to);
-                at.rounding = balances && at.residual > 0. ? 0. : change;
-                is_solution = true;
-                break;
-              }
+            is_solution = has_all_pairs(before, last, to, at);
+            if (is_solution)
+              break;
             if (++pairings > parameters.max_pairings)
               return false;
             r = unbalanced(state, to);
@@ -474,7 +499,9 @@ namespace lamella
         at.factor = to;
       }
     else if (linear != nullptr)
-      throw_not_settled(at, last.released, springs.now / springs.before);
+      throw_not_settled(at,
+                        last.released,
+                        residuals.springs.now / residuals.springs.before);
     return is_solution;
   }
 

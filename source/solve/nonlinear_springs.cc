@@ -413,7 +413,7 @@ namespace lamella
     for (unsigned int r = 0; r < rows.size(); ++r)
       if (rows[r].initial_gap < rows[deepest].initial_gap)
         deepest = r;
-    if (rows.empty() || rows[deepest].initial_gap >= 0.)
+    if (linear == nullptr || rows.empty() || rows[deepest].initial_gap >= 0.)
       return "";
     return " Bodies overlap at the start by up to " +
            to_text(-rows[deepest].initial_gap, 4) + " (" + describe(deepest) +

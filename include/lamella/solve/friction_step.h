@@ -53,7 +53,7 @@ namespace lamella
   /// Returns the error of Coulomb's law at the active constraint @p row, of
   /// index @p r: |v| if it sticks, |v + |v| e| if it slips, with the slip v in
   /// the load step and the unit vector e along the shear force [length]. Zero
-  /// if the direction e is right to 1e-8.
+  /// if the cosine of the angle between e and -v rounds to 1.
   double
   friction_error(const GapConstraint &row,
                  const unsigned int   r,

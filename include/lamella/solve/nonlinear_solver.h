@@ -354,6 +354,31 @@ namespace lamella
     bool
     is_equilibrium(const ResidualHistory &unbalanced,
                    const double           change) const;
+    /// Errors in the iterations of a step: unbalanced forces, contact law, and
+    /// motions of springs that are released.
+    struct Residuals
+    {
+      ResidualHistory forces, gaps, springs;
+    };
+    /// Adds the errors of @p at to @p residuals, and returns true if it is an
+    /// equilibrium at load factor @p to after the correction @p last. The
+    /// tangent is @p here, and the unbalanced forces are @p r.
+    bool
+    is_converged(const Correction      &last,
+                 const TangentOperator &here,
+                 const BlockVector     &r,
+                 const LoadFactor      &to,
+                 Residuals             &residuals,
+                 Equilibrium           &at) const;
+    /// Pairs surfaces anew that are in contact without a constraint, and
+    /// returns false if there are any. Otherwise checks the equilibrium @p at
+    /// at load factor @p to, after the displacements @p before and the
+    /// correction @p last (MovingContacts::check_kept(), check_stability()).
+    bool
+    has_all_pairs(const BlockVector &before,
+                  const Correction  &last,
+                  const LoadFactor  &to,
+                  Equilibrium       &at);
     /// Returns true if the forces and motions of @p released springs, of linear
     /// structures, are rounding errors in @p state at load factor @p to.
     bool
