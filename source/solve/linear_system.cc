@@ -126,7 +126,8 @@ namespace lamella
     add_forces(rows, closed, dlambda, state);
 
     // The test catches NaN, too.
-    const double size = state.u.linfty_norm(), change = du.l2_norm();
+    const double size   = displacement_scale(state, factor),
+                 change = du.l2_norm();
     if (!std::isfinite(change))
       throw NumericsError(
         "solve.not-finite: The solution is not finite. Check the loads.");

@@ -101,7 +101,9 @@ namespace lamella
                                  State                &state) const
   {
     ContactSolution found = strategy.solve(
-      problem, [this, &strategy, rounds = 0u](const Round &round) mutable {
+      problem,
+      [this, &strategy, &state, rounds = 0u](const Round &round) mutable {
+        state.iterations += linear != nullptr ? 1 : 0;
         if (round.changed.empty())
           return;
         progress("  contact: " + std::to_string(round.active) +
@@ -273,7 +275,9 @@ namespace lamella
       }
     shorten(du);
     state.u = structure.retract(before, du);
-    release_springs(state);
+    // Springs contribute to K only; their offsets remove the force.
+    if (structure.has_springs())
+      state.rest = structure.spring_lengths(state.u);
     return {std::move(du), shift != nullptr, unstable};
   }
 
@@ -311,10 +315,13 @@ namespace lamella
     linear->refine_contact(state, to);
     du -= state.u;
     du *= -1.;
-    const SpringRelease released = release_springs(state);
-    if (released.length > 0.)
-      progress("  stabilizing springs released: bodies move by up to " +
-               to_text(released.length, 2));
+    const SpringRelease released = spring_motion(state);
+    if (!springs_are_released(released, state, to))
+      {
+        progress("  stabilizing springs released: bodies move by up to " +
+                 to_text(released.length, 2));
+        state.rest = structure.spring_lengths(state.u);
+      }
     return {std::move(du), false, transfer.is_unstable, released};
   }
 } // namespace lamella

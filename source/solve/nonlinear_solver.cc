@@ -459,7 +459,8 @@ namespace lamella
     unsigned int pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations && !is_solution; ++k)
       {
-        ++state.iterations;
+        // Linear structures count the rounds of their contact problems.
+        state.iterations += linear == nullptr ? 1 : 0;
         // Thermal strains of the increment are mostly free of stress, so the
         // first tangent uses the previous heat factor.
         last = linear != nullptr ?

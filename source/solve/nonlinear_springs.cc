@@ -112,12 +112,12 @@ namespace lamella
   // the last iteration make the springs free of force at convergence. The rate
   // is s / (s + k), s and k the stiffness of springs and contact.
   NonlinearSolver::SpringRelease
-  NonlinearSolver::release_springs(State &state) const
+  NonlinearSolver::spring_motion(const State &state) const
   {
     SpringRelease largest;
     if (!structure.has_springs())
       return largest;
-    SpringOffsets rest = structure.spring_lengths(state.u);
+    const SpringOffsets rest = structure.spring_lengths(state.u);
     for (unsigned int b = 0; b < rest.size(); ++b)
       for (unsigned int k = 0; k < rest[b].size(); ++k)
         {
@@ -133,7 +133,6 @@ namespace lamella
             }
           largest.length = std::max(largest.length, length);
         }
-    state.rest = std::move(rest);
     return largest;
   }
 

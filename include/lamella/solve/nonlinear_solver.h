@@ -175,10 +175,10 @@ namespace lamella
       unsigned int body = 0, spring = 0;
       double       length = 0., force = 0.;
     };
-    /// Changes the offsets of the springs of @p state to their present lengths,
-    /// where they have no force.
+    /// Returns the change of the spring offsets of @p state to their present
+    /// lengths, where springs have no force.
     SpringRelease
-    release_springs(State &state) const;
+    spring_motion(const State &state) const;
 
     /// Result of an iteration: displacement increment, whether
     /// ActiveConstraintShift was used, whether friction is unstable, and the

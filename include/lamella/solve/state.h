@@ -35,7 +35,7 @@ namespace lamella
     /// Lengths at which the springs have no force; all zero if empty.
     SpringOffsets rest;
 
-    /// Number of active-set iterations, including release_springs().
+    /// Number of Newton iterations; of linear bodies, of contact rounds.
     unsigned int iterations = 0;
     /// Relative maximum norms of the corrections by iterative refinement
     /// without contact. The first one is the rounding error of the assembled
