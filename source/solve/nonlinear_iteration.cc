@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // One iteration of Newton's method with contact. About the state u:
-// 1. factorize the tangent K (newton_springs.cc regularizes it if needed);
+// 1. factorize the tangent K (nonlinear_springs.cc regularizes it if needed);
 // 2. du = K^-1 r + support motion, without a change of contact forces;
 // 3. solve the contact problem of the linearized gaps g + B du for forces and
 //    active set by static condensation (Wriggers, Computational Contact
@@ -86,7 +86,7 @@ namespace lamella
       problem.gap.push_back(row.gap(state.u, to));
     problem.force = problem.estimate = state.force;
     problem.start                    = state.active;
-    problem.closed = parameters.touching * reference_length(state, to);
+    problem.closed                   = rounding_of_gaps(state, to);
     if (!state.friction.empty())
       add_friction(rows, state, to, problem);
     return problem;
@@ -257,7 +257,7 @@ namespace lamella
       {
         const GapConstraints rows = shift ? shift->rows() : contacts.rows();
         const double         n =
-          n_in_contact(rows, state, to, parameters.touching * structure.size());
+          n_in_contact(rows, state, to, rounding_of_gaps(state, to));
         const auto solver =
           make_strategy(choose_strategy(strategy, structure, n), about, rows);
         // Gaps are linear in du, so states add up in the contact problem.
@@ -294,10 +294,8 @@ namespace lamella
   {
     const GapConstraints &rows    = contacts.rows();
     ContactProblem        problem = problem_at(rows, r, to, state);
-    problem.closed                = std::max(problem.closed, state.rounding());
     if (estimate.u.n_blocks() > 0)
       {
-        problem.residual.reinit(0);
         problem.start.clear();
         for (const unsigned int row : estimate.active)
           if (problem.gap[row] < 0.)
@@ -315,8 +313,8 @@ namespace lamella
     linear->refine_contact(state, to);
     du -= state.u;
     du *= -1.;
-    const SpringRelease released = spring_motion(state);
-    if (!springs_are_released(released, state, to))
+    const SpringRelease released = spring_motion(state, to);
+    if (!released.is_done)
       {
         progress("  stabilizing springs released: bodies move by up to " +
                  to_text(released.length, 2));

@@ -15,7 +15,7 @@
 //   advance()  divides the increment and bisects it after a failure,
 //   attempt()  tries one part with predicted and with actual stresses,
 //   step()     iterates until equilibrium, contact law and pairing hold,
-//   correct()  solves one linearized contact problem (newton_iteration.cc).
+//   correct()  solves one linearized contact problem (nonlinear_iteration.cc).
 // Residuals are G^T (f + B^T lambda - f_int), from quadrature points. Linear
 // structures keep tangent and rows, and have one part: step() with
 // correct_linear().
@@ -23,8 +23,6 @@ namespace lamella
 {
   namespace
   {
-    const std::vector<GapConstraint> no_rows;
-
     std::string
     number_of_row(const unsigned int row)
     {
@@ -50,7 +48,7 @@ namespace lamella
                                    const SolverKind           requested,
                                    const NonlinearParameters &parameters)
     : NonlinearSolver(structure,
-                      MovingContacts(GapConstraints(no_rows)),
+                      MovingContacts(GapConstraints()),
                       requested,
                       parameters)
   {}
@@ -192,6 +190,17 @@ namespace lamella
 
 
 
+  // Small displacements have their own rounding, positions that of the scene.
+  double
+  NonlinearSolver::rounding_of_gaps(const State      &state,
+                                    const LoadFactor &to) const
+  {
+    return std::max(parameters.touching * reference_length(state, to),
+                    state.rounding());
+  }
+
+
+
   // Linear structures: refinement has reduced the residual to rounding.
   // Otherwise three criteria: the force tolerance; stagnation of the residual
   // below the rounding of slender bodies; a negligible correction near
@@ -298,21 +307,19 @@ namespace lamella
   NonlinearSolver::StepStart
   NonlinearSolver::linear_start(const LoadFactor &to, Equilibrium &at) const
   {
-    StepStart   start;
-    State      &state    = at.state;
-    const State previous = std::move(state);
-    state                = linear->solve_free(to);
+    StepStart start;
+    State    &state = at.state;
+    start.estimate  = std::move(state);
+    state           = linear->solve_free(to);
     if (contacts.rows().has_friction())
       {
+        const FrictionState &previous = start.estimate.friction;
         state.friction          = FrictionState::unloaded(contacts.rows());
-        state.friction.before   = previous.friction.before;
-        state.friction.history  = previous.friction.history;
-        state.friction.path_gap = previous.friction.path_gap;
+        state.friction.before   = previous.before;
+        state.friction.history  = previous.history;
+        state.friction.path_gap = previous.path_gap;
       }
-    start.moved       = structure.zero();
-    start.r           = structure.zero();
-    start.is_solution = is_open(state, previous, to);
-    start.estimate    = previous;
+    start.is_solution = is_open(state, start.estimate, to);
     return start;
   }
 
@@ -330,9 +337,7 @@ namespace lamella
     if (structure.has_springs() ||
         (rows.has_friction() && !previous.active.empty()))
       return false;
-    const double closed =
-      std::max(parameters.touching * reference_length(state, to),
-               state.rounding());
+    const double closed = rounding_of_gaps(state, to);
     return std::none_of(rows.begin(), rows.end(), [&](const auto &row) {
       return row.gap(state.u, to) < -closed;
     });
@@ -415,7 +420,7 @@ namespace lamella
     const bool   balances = is_equilibrium(residuals.forces, change);
     at.rounding           = balances && at.residual > 0. ? 0. : change;
     return satisfies_contact_law(residuals.gaps, state, to) &&
-           springs_are_released(last.released, state, to) &&
+           last.released.is_done &&
            (balances || (is_negligible(last.du) &&
                          is_rounding(here, condensed(here, r), state.u)));
   }
@@ -428,7 +433,7 @@ namespace lamella
                                  const LoadFactor  &to,
                                  Equilibrium       &at)
   {
-    if (!contacts.none() && contacts.find_loads(at.state, to))
+    if (contacts.find_loads(at.state, to))
       return false;
     contacts.check_kept(before, at.factor, at.state, to);
     check_stability(before, last, at.state, to);
@@ -463,20 +468,21 @@ namespace lamella
         state.iterations += linear == nullptr ? 1 : 0;
         // Thermal strains of the increment are mostly free of stress, so the
         // first tangent uses the previous heat factor.
-        last = linear != nullptr ?
-                 correct_linear(r, to, k == 0 ? estimate : State(), state) :
-                 correct(r,
+        last     = linear != nullptr ?
+                     correct_linear(r, to, estimate, state) :
+                     correct(r,
                          moved,
                          predicted ? last.du : BlockVector(),
                          k == 0 ? to.with_thermal_factor_of(at.factor) : to,
                          state);
+        estimate = State();
 
         structure.check_orientation(state.u);
         contacts.move(state, to);
         const auto tangent = tangent_at(state);
         r                  = unbalanced(state, to);
         if (!measure(*tangent, r, to, began, at))
-          return false;
+          break;
         // Rotating rows are off their prescribed values by second-order terms.
         moved = tangent->support_increment(to, to);
         if (is_converged(last, *tangent, r, to, residuals, at) &&
@@ -486,7 +492,7 @@ namespace lamella
             if (is_solution)
               break;
             if (++pairings > parameters.max_pairings)
-              return false;
+              break;
             r = unbalanced(state, to);
             // New pairs have their first forces: reset the reference residual.
             began = 0.;
@@ -612,8 +618,6 @@ namespace lamella
             done = next;
             continue;
           }
-        if (linear != nullptr)
-          throw_not_settled(at, {}, 0.);
         way /= 2.;
         if (++at.cuts > parameters.max_bisections)
           throw_not_converged(at.factor, to);

@@ -112,7 +112,7 @@ namespace lamella
   // the last iteration make the springs free of force at convergence. The rate
   // is s / (s + k), s and k the stiffness of springs and contact.
   NonlinearSolver::SpringRelease
-  NonlinearSolver::spring_motion(const State &state) const
+  NonlinearSolver::spring_motion(const State &state, const LoadFactor &to) const
   {
     SpringRelease largest;
     if (!structure.has_springs())
@@ -133,25 +133,15 @@ namespace lamella
             }
           largest.length = std::max(largest.length, length);
         }
-    return largest;
-  }
-
-
-
-  bool
-  NonlinearSolver::springs_are_released(const SpringRelease &released,
-                                        const State         &state,
-                                        const LoadFactor    &to) const
-  {
-    if (linear == nullptr || !structure.has_springs())
-      return true;
     double forces = std::max(structure.load(to).linfty_norm(),
                              structure.thermal_load().linfty_norm());
     for (const double lambda : state.force)
       forces = std::max(forces, std::abs(lambda));
-    return released.length <= parameters.spring_offset_tolerance *
-                                linear->displacement_scale(state, to) ||
-           released.force <= parameters.spring_force_tolerance * forces;
+    largest.is_done =
+      largest.length <=
+        parameters.spring_offset_tolerance * reference_length(state, to) ||
+      largest.force <= parameters.spring_force_tolerance * forces;
+    return largest;
   }
 
 
@@ -350,8 +340,7 @@ namespace lamella
   {
     constexpr double wanted_rate = 0.1;
 
-    if (released.force == 0. ||
-        springs_are_released(released, at.state, at.factor))
+    if (released.is_done)
       throw NumericsError(
         "solve.not-converged: The contact did not converge in " +
         std::to_string(at.state.iterations) +

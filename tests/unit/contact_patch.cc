@@ -58,10 +58,10 @@ namespace
     result.structure =
       std::make_unique<Structure>(std::move(bodies), supports, loads);
     const auto  &rows = result.contacts[0].rows;
-    LinearSystem newton(linearized(*result.structure), rows);
-    result.state  = NonlinearSolver(newton).solve(1.);
+    LinearSystem system(linearized(*result.structure), rows);
+    result.state  = NonlinearSolver(system).solve(1.);
     result.checks = check_state(
-      newton.tangent(), result.contacts, supports.size(), result.state, 1.);
+      system.tangent(), result.contacts, supports.size(), result.state, 1.);
     return result;
   }
 

@@ -81,9 +81,9 @@ namespace lamella
   solution(Structure &structure)
   {
     const std::vector<GapConstraint> no_rows;
-    LinearSystem                     newton(linearized(structure), no_rows);
-    const State                      state = newton.solve_free(1.);
-    check_solution(state, check_state(newton.tangent(), {}, 3, state, 1.), 1e9);
+    LinearSystem                     system(linearized(structure), no_rows);
+    const State                      state = system.solve_free(1.);
+    check_solution(state, check_state(system.tangent(), {}, 3, state, 1.), 1e9);
     return state.u.block(0);
   }
 } // namespace lamella

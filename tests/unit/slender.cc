@@ -59,24 +59,24 @@ namespace
     const std::vector<GapConstraint> none;
     NonlinearParameters              parameters;
     parameters.max_refinements = refine ? 6 : 0;
-    LinearSystem newton(linearized(structure), none, parameters);
+    LinearSystem system(linearized(structure), none, parameters);
 
     Result result;
     State  state;
     if (refine)
       {
-        state                   = newton.solve_free(1.);
+        state                   = system.solve_free(1.);
         result.first_correction = state.free_corrections.front();
         // A run accepts the scene (at L/h = 1e6 with a warning on reactions).
         check_solution(state,
-                       check_state(newton.tangent(), {}, 1, state, 1.),
+                       check_state(system.tangent(), {}, 1, state, 1.),
                        1e9);
       }
     else
       {
         const Vector dummy;
         Vector       nothing;
-        newton.solve_linear({}, structure.load(1.), dummy, state.u, nothing);
+        system.solve_linear({}, structure.load(1.), dummy, state.u, nothing);
       }
     const Body    &body = *structure.bodies()[0];
     const Point<3> middle(0.5 * width, 0.5 * length, 0.5 * height);

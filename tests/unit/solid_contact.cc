@@ -58,10 +58,10 @@ namespace
       make_interface(contact, bodies)};
     Structure    structure(std::move(bodies), walls_and_press(moved), {});
     const auto  &rows = contacts[0].rows;
-    LinearSystem newton(linearized(structure), rows);
-    const State  state  = NonlinearSolver(newton).solve(1.);
+    LinearSystem system(linearized(structure), rows);
+    const State  state  = NonlinearSolver(system).solve(1.);
     const Checks checks = check_state(
-      newton.tangent(), contacts, walls_and_press(moved).size(), state, 1.);
+      system.tangent(), contacts, walls_and_press(moved).size(), state, 1.);
     BOOST_TEST(checks.force_balance < 1e-9);
     BOOST_TEST((checks.contacts[0].force + 6. * p * placement.axes[2]).norm() <
                1e-9 * p);

@@ -46,11 +46,11 @@ namespace lamella
     /// displacements, for small rotations.
     explicit MovingContacts(const GapConstraints &fixed);
 
-    /// Returns true if there are no constraints.
+    /// Returns true if there are neither contacts nor constraints.
     bool
     none() const
     {
-      return numbered.empty();
+      return contact_objects.empty() && numbered.empty();
     }
 
     /// Returns all contacts, with the constraints of the last move().

@@ -168,17 +168,19 @@ namespace lamella
     bool
     attempt(const LoadFactor &to, Equilibrium &at);
 
-    /// Stabilizing spring with the largest change of force in an iteration, and
-    /// its change of length and force.
+    /// Changes of spring offsets in an iteration of a linear structure: the
+    /// spring with the largest change of force, that force, and the largest
+    /// change of length. `is_done`: both are rounding errors.
     struct SpringRelease
     {
       unsigned int body = 0, spring = 0;
       double       length = 0., force = 0.;
+      bool         is_done = true;
     };
-    /// Returns the change of the spring offsets of @p state to their present
-    /// lengths, where springs have no force.
+    /// Returns the change of the spring offsets of @p state at load factor @p
+    /// to from its offsets to its lengths, where springs have no force.
     SpringRelease
-    spring_motion(const State &state) const;
+    spring_motion(const State &state, const LoadFactor &to) const;
 
     /// Result of an iteration: displacement increment, whether
     /// ActiveConstraintShift was used, whether friction is unstable, and the
@@ -309,6 +311,9 @@ namespace lamella
     /// linear structures LinearSystem::displacement_scale().
     double
     reference_length(const State &state, const LoadFactor &to) const;
+    /// Returns the rounding error of gaps of @p state at load factor @p to.
+    double
+    rounding_of_gaps(const State &state, const LoadFactor &to) const;
     /// Returns the largest displacement component of @p u [length]. DoFs that
     /// are no lengths (rotations, warping) are scaled by DofInfo::scale.
     double
@@ -379,12 +384,6 @@ namespace lamella
                   const Correction  &last,
                   const LoadFactor  &to,
                   Equilibrium       &at);
-    /// Returns true if the forces and motions of @p released springs, of linear
-    /// structures, are rounding errors in @p state at load factor @p to.
-    bool
-    springs_are_released(const SpringRelease &released,
-                         const State         &state,
-                         const LoadFactor    &to) const;
 
     /// Returns true if the forces @p r at displacements @p u are rounding.
     bool
