@@ -332,7 +332,8 @@ namespace lamella
 
 
   // With the rate q = s / (s + k) of the offsets, a share with the rate 0.1 is
-  // recommended; a rate of 1 means k = 0, an unconstrained motion.
+  // recommended; a rate of 1 means k = 0, an unconstrained motion. After a
+  // single iteration there is no rate.
   void
   NonlinearSolver::throw_not_settled(const Equilibrium   &at,
                                      const SpringRelease &released,
@@ -340,13 +341,12 @@ namespace lamella
   {
     constexpr double wanted_rate = 0.1;
 
-    if (released.is_done)
+    if (released.is_done || rate < arithmetic::rounding)
       throw NumericsError(
         "solve.not-converged: The contact did not converge in " +
-        std::to_string(at.state.iterations) +
-        " iterations: " + to_text(at.residual, 2) +
-        " of the forces are unbalanced, and gaps off "
-        "by " +
+        std::to_string(parameters.max_iterations) +
+        " iterations: the relative residual of the forces is " +
+        to_text(at.residual, 2) + ", the error of the contact law " +
         to_text(at.law_error, 2) + "." + describe_overlap() + " Try " +
         linear->contact_strategy().remedy() +
         ", a finer mesh at the contact edge, or larger Maximum iterations.");
@@ -387,8 +387,8 @@ namespace lamella
       " contact constraints still change between active and inactive (" +
       names + (changing.size() > 3 ? "; ...)" : ")") + "." +
       describe_overlap() + " Try " + strategy.remedy() +
-      ", smaller load steps, a finer mesh at the contact edge, or larger "
-      "Maximum iterations.");
+      (linear == nullptr ? ", smaller load steps" : "") +
+      ", a finer mesh at the contact edge, or larger Maximum iterations.");
   }
 
 

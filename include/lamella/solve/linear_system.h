@@ -15,9 +15,10 @@ namespace lamella
 {
   /// The linear equations of a structure with constant stiffness and a given
   /// active set. At load factor t, with displacements u, internal forces f_int,
-  /// loads f, gaps g with rows B, contact forces lambda and law_compliance() a:
+  /// loads f, gaps g with gradients B, forces lambda and law_compliance() a:
   ///   f_int(u) + f_springs(u) = t f + B^T lambda   (in the free DoFs)
-  ///   g(u) + a lambda = 0   in active constraints, lambda = 0 in all others.
+  ///   g(u) + a lambda = 0   in active constraints, lambda = 0 in all others,
+  /// and likewise for the slips of sticking points.
   /// NonlinearSolver finds the active set with contact_strategy().
   ///
   /// Iterative refinement: the residuals of both equations are evaluated, f_int
@@ -35,7 +36,7 @@ namespace lamella
                  const Strategy             which      = Strategy::condensed);
 
     /// Returns the linear solution at load factor @p factor without contact,
-    /// refined by at least two corrections. Stabilizing springs have no force
+    /// refined by at least one correction. Stabilizing springs have no force
     /// at the offsets @p rest. Throws NumericsError if it is not finite.
     State
     solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});

@@ -14,8 +14,18 @@ namespace lamella
     /// Maximum number of iterations of a load step, and of the rounds of each
     /// contact problem.
     unsigned int max_iterations = 50;
+    /// Error of gaps over the scene diagonal, for linear structures over
+    /// LinearSystem::displacement_scale(), that counts as zero.
+    double touching = arithmetic::rounding;
+    /// Equilibrium is reached if the norm of the unbalanced forces, over that
+    /// of the internal forces or of the loads, is at most this value.
+    double force_tolerance = arithmetic::rounding_of_solutions;
+    /// A residual below this fraction of the initial residual counts as zero.
+    double nothing = arithmetic::rounding_of_sums;
+    /// The iteration diverges above this ratio of residual to initial residual.
+    double divergence_ratio = 1e12;
 
-    // ---- linear kinematics: relative to LinearSystem::displacement_scale()
+    // ---- linear kinematics: lengths over LinearSystem::displacement_scale()
 
     /// Correction, relative to the solution, below which refinement ends.
     double refinement_tolerance = arithmetic::rounding_of_sums;
@@ -24,7 +34,7 @@ namespace lamella
     unsigned int max_refinements = 6;
     /// Tolerance of the contact law (relative length).
     double linear_law = arithmetic::rounding_of_results;
-    /// Tolerance of the contact law if an iteration leaves more than `slow`.
+    /// Tolerance of the contact law if its error decreases slowly (`slow`).
     double weak_linear_law = arithmetic::rounding_of_solutions;
     /// The penalty is increased, and weak_linear_law applies, if an iteration
     /// leaves more than this fraction of the error of the contact law.
@@ -36,9 +46,6 @@ namespace lamella
 
     // ---- large rotations
 
-    /// Equilibrium is reached if the norm of the unbalanced forces, over that
-    /// of the internal forces or of the loads, is at most this value.
-    double force_tolerance = arithmetic::rounding_of_solutions;
     /// Relative residual below which stagnation counts as convergence. Rounding
     /// errors of slender bodies are (length / thickness)^3 1e-16.
     double stagnation_level = arithmetic::same_value;
@@ -48,15 +55,9 @@ namespace lamella
     double near_equilibrium = 1e-3;
     /// Correction over the scene diagonal that counts as negligible.
     double negligible_correction = arithmetic::same_position;
-    /// The iteration diverges above this ratio of residual to initial residual.
-    double divergence_ratio = 1e12;
-    /// A residual below this fraction of the initial residual counts as zero.
-    double nothing = arithmetic::rounding_of_sums;
     /// Tolerance of the contact law over the largest displacement, replaced by
     /// `stagnation_level` if the error of the law stagnates.
     double law = arithmetic::negligible;
-    /// Error of the contact law over the reference length that counts as zero.
-    double touching = arithmetic::rounding;
     /// Step, over the scene diagonal, of finite differences of contact normals.
     double difference = arithmetic::same_value;
     /// Relative tolerance of GMRES in correct_row_rotation().

@@ -40,25 +40,26 @@ namespace lamella
   ///
   /// Each iteration linearizes forces (tangent K, without the derivative of B)
   /// and gaps, and solves the resulting contact problem for the total contact
-  /// forces (ContactStrategy::solve()). The first iteration applies support
-  /// motion as forces K du_p.
+  /// forces (ContactStrategy::solve()). These are the estimates of the next
+  /// iteration (method of multipliers). The support motion du_p enters the
+  /// residual as the forces -K du_p.
   ///
-  /// The geometric part of K uses the stress before the last correction plus
-  /// its linearized change. If a step fails, it is repeated with the stress of
-  /// the present displacements, then bisected. Stabilizing springs contribute
-  /// to K only; they have no force at the iterate.
+  /// With finite rotations, the geometric part of K uses the stress before the
+  /// last correction plus its linearized change. If a step fails, it is
+  /// repeated with the stress of the present displacements, then bisected.
+  /// Stabilizing springs contribute to K only; they have no force at the
+  /// iterate. An indefinite K is regularized by ActiveConstraintShift or by
+  /// stiffer springs.
   ///
   /// With a LinearSystem, K and B are constant, and a step starts from the
-  /// solution without contact. The first contact problem finds the active set;
-  /// each iteration ends with a refinement of displacements and forces
-  /// (LinearSystem::refine_contact()). The forces of an iteration are the
-  /// estimates of the next one (method of multipliers).
+  /// solution without contact. Each iteration finds the active set, then
+  /// refines displacements and forces (LinearSystem::refine_contact()). A step
+  /// that does not converge is not repeated.
   ///
   /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
   /// surfaces are in contact; unpaired surfaces in contact are paired anew. The
-  /// state is stable if K is then positive definite. For bodies supported by an
-  /// obstacle only, K is regularized by ActiveConstraintShift. Keeps references
-  /// to structure and contacts. Collective.
+  /// state is stable if K is then positive definite. Keeps references to
+  /// structure and contacts. Collective.
   class NonlinearSolver
   {
   public:
@@ -107,7 +108,8 @@ namespace lamella
 
     /// Returns the equilibrium at load factor @p to, starting from the
     /// equilibrium @p start, to which the contact constraints must belong.
-    /// Throws NumericsError if none is found in 2^max_bisections substeps.
+    /// Throws NumericsError if none is found after max_bisections bisections,
+    /// for linear structures at once.
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
@@ -158,9 +160,10 @@ namespace lamella
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
 
-    /// Performs one step from @p at to load factor @p to, if @p predicted with
-    /// predicted stresses. Returns true on convergence; counts iterations in @p
-    /// at.
+    /// Performs one step from @p at to load factor @p to, with predicted
+    /// stresses if @p predicted. Returns true on convergence; counts iterations
+    /// in @p at. For linear structures, throws NumericsError instead of
+    /// returning false.
     bool
     step(const LoadFactor &to, const bool predicted, Equilibrium &at);
 
@@ -170,15 +173,15 @@ namespace lamella
 
     /// Changes of spring offsets in an iteration of a linear structure: the
     /// spring with the largest change of force, that force, and the largest
-    /// change of length. `is_done`: both are rounding errors.
+    /// change of length. `is_done`: one of them is a rounding error.
     struct SpringRelease
     {
       unsigned int body = 0, spring = 0;
       double       length = 0., force = 0.;
       bool         is_done = true;
     };
-    /// Returns the change of the spring offsets of @p state at load factor @p
-    /// to from its offsets to its lengths, where springs have no force.
+    /// Returns the largest differences between lengths and offsets of the
+    /// springs of @p state at load factor @p to.
     SpringRelease
     spring_motion(const State &state, const LoadFactor &to) const;
 
@@ -201,8 +204,9 @@ namespace lamella
             const BlockVector &correction,
             const LoadFactor  &to,
             State             &state) const;
-    /// Performs one iteration of a linear structure. Contact forces of @p
-    /// estimate, if not empty, are the first estimates.
+    /// Performs one iteration of a linear structure. The first estimates are
+    /// the contact forces of @p estimate, if not empty, in its active
+    /// constraints that penetrate without contact.
     Correction
     correct_linear(const BlockVector &r,
                    const LoadFactor  &to,
@@ -225,11 +229,11 @@ namespace lamella
             const LoadFactor  &to,
             Regularization    &regularization) const;
 
-    /// Throws IllConditioned if the tangent of @p state at load factor @p to,
-    /// with the active constraints, is not definite. The tangent of the last
-    /// correction was definite; it suffices if that correction is small
-    /// relative to the increment from @p before and no regularization was used.
-    /// Throws NumericsError if friction is unstable.
+    /// Throws IllConditioned if the regularized tangent of @p state at load
+    /// factor @p to is not definite, unless the structure is linear. The
+    /// tangent of the last correction was definite; it suffices if that
+    /// correction is small relative to the increment from @p before and no
+    /// regularization was used. Throws NumericsError if friction is unstable.
     void
     check_stability(const BlockVector &before,
                     const Correction  &last,
@@ -259,14 +263,14 @@ namespace lamella
                const BlockVector    &r,
                const LoadFactor     &to,
                const State          &state) const;
-    /// Solves @p problem of @p rows by @p strategy; returns its solution, whose
-    /// forces are those of @p state then.
+    /// Solves @p problem of @p rows by @p strategy; returns its solution, and
+    /// stores its forces in @p state.
     ContactSolution
     solve_contact(ContactStrategy      &strategy,
                   const GapConstraints &rows,
                   const ContactProblem &problem,
                   State                &state) const;
-    /// Throws NumericsError if @p rounds of the @p strategy exceed
+    /// Throws NumericsError if @p rounds of the @p strategy reach
     /// max_iterations. The message names three of the constraints @p changing.
     void
     check_rounds(const ContactStrategy           &strategy,
@@ -393,7 +397,8 @@ namespace lamella
 
     /// Throws NumericsError: the iterations of a linear structure did not
     /// converge. The spring with the largest force is @p released, and @p rate
-    /// is the ratio of its last two changes of length.
+    /// is the ratio of the largest changes of length in the last two
+    /// iterations.
     [[noreturn]] void
     throw_not_settled(const Equilibrium   &at,
                       const SpringRelease &released,
