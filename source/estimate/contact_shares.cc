@@ -31,7 +31,7 @@ namespace lamella
     const auto          &last   = run.results().last();
     const LoadFactor    &factor = last.load_factor;
     const State          without =
-      NonlinearSolver(system, given.nonlinear).solve(factor, last.state);
+      NonlinearSolver(system, given.nonlinear).solve(factor, last.state).state;
 
     u = without.u;
     u -= last.state.u;

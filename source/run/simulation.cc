@@ -9,7 +9,6 @@
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/ill_conditioned.h>
-#include <lamella/solve/large_step.h>
 #include <lamella/solve/memory_budget.h>
 
 #include <optional>
@@ -228,9 +227,18 @@ namespace lamella
     const std::string  memory = budget.check_matrix_memory(built->structure());
     print_bodies(out, built->structure(), built->interfaces(), scene().units);
     out << "Memory: " << memory << std::endl;
-    auto step = scene().solve.rotations == Rotations::large ?
-                  make_large_step(budget) :
-                  make_linear_step(budget);
+    auto nonlinear      = scene().solve.rotations == Rotations::large ?
+                            make_large_solver(budget) :
+                            make_linear_solver(budget);
+    nonlinear->progress = [this](const std::string &line) {
+      out << "  " << line << std::endl;
+    };
+    auto step = std::make_shared<LoadStep>(std::move(nonlinear),
+                                           built->interfaces(),
+                                           built->contact_objects(),
+                                           scene().supports.size(),
+                                           scene().solve,
+                                           timer);
     recorder =
       std::make_unique<StepRecorder>(*built, found, solve_thermal_state(*step));
     path = std::make_unique<LoadPath>(std::move(step),
@@ -250,44 +258,36 @@ namespace lamella
 
 
 
-  std::unique_ptr<Step>
-  Simulation::make_linear_step(const MemoryBudget &budget)
+  std::unique_ptr<NonlinearSolver>
+  Simulation::make_linear_solver(const MemoryBudget &budget)
   {
     make_solver(budget);
     if (!found.steps.empty())
       solver->restore(found.last().memory);
-    auto step                         = std::make_unique<LinearStep>(*solver,
-                                             built->interfaces(),
-                                             built->contact_objects(),
-                                             scene().supports.size(),
-                                             scene().solve,
-                                             timer);
-    step->nonlinear_solver().progress = [this](const std::string &line) {
-      out << "  " << line << std::endl;
-    };
-    step->nonlinear_solver().describe = [this](const unsigned int row) {
+    auto linear =
+      std::make_unique<NonlinearSolver>(*solver, scene().solve.nonlinear);
+    linear->describe = [this](const unsigned int row) {
       return built->describe_row(row);
     };
-    return step;
+    return linear;
   }
 
 
 
-  std::unique_ptr<Step>
-  Simulation::make_large_step(const MemoryBudget &budget)
+  std::unique_ptr<NonlinearSolver>
+  Simulation::make_large_solver(const MemoryBudget &budget)
   {
-    TangentOperator::BodyMonitor monitor;
-    monitor.factor_sized = [budget](const Body &body, const FactorSize &size) {
-      budget.check_factor_memory(body, size);
-    };
-    return std::make_unique<LargeStep>(
+    auto large = std::make_unique<NonlinearSolver>(
       built->structure(),
       MovingContacts(built->interfaces(), built->contact_objects()),
-      scene().supports.size(),
-      scene().solve,
-      [this](const std::string &line) { out << "  " << line << std::endl; },
-      monitor,
-      timer);
+      scene().solve.solver,
+      scene().solve.nonlinear,
+      scene().solve.strategy);
+    large->monitor.factor_sized = [budget](const Body       &body,
+                                           const FactorSize &size) {
+      budget.check_factor_memory(body, size);
+    };
+    return large;
   }
 
 
@@ -342,7 +342,7 @@ namespace lamella
 
 
   std::shared_ptr<const BlockVector>
-  Simulation::solve_thermal_state(Step &step)
+  Simulation::solve_thermal_state(LoadStep &step)
   {
     if (built->strength() == nullptr || !built->structure().is_heated())
       return nullptr;

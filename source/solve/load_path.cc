@@ -136,15 +136,13 @@ namespace lamella
 
 
 
-  LinearStep::LinearStep(LinearSystem                        &system,
-                         const std::vector<ContactInterface> &contacts,
-                         const Contacts                      &contact_objects,
-                         const unsigned int                   n_supports,
-                         const SolveParameters               &parameters,
-                         TimerOutput                         &timer)
-    : system(system)
-    , solver(system, parameters.nonlinear)
-    , structure(system.tangent().of())
+  LoadStep::LoadStep(std::unique_ptr<NonlinearSolver>     solver,
+                     const std::vector<ContactInterface> &contacts,
+                     const Contacts                      &contact_objects,
+                     const unsigned int                   n_supports,
+                     const SolveParameters               &parameters,
+                     TimerOutput                         &timer)
+    : solver(std::move(solver))
     , contacts(contacts)
     , contact_objects(contact_objects)
     , n_supports(n_supports)
@@ -155,18 +153,22 @@ namespace lamella
 
 
   SolvedStep
-  LinearStep::operator()(const State &before,
-                         const LoadFactor &,
-                         const LoadFactor &to,
-                         const bool        last)
+  LoadStep::operator()(const State      &before,
+                       const LoadFactor &from,
+                       const LoadFactor &to,
+                       const bool        last)
   {
     SolvedStep solved;
     solved.load_factor = to;
     {
+      const bool is_contact =
+        solver->linear_system() != nullptr && !contacts.empty();
       TimerOutput::Scope scope(timer,
-                               name_of(contacts.empty() ? Phase::solve :
-                                                          Phase::contact));
-      solved.state = solver.solve(to, before);
+                               name_of(is_contact ? Phase::contact :
+                                                    Phase::solve));
+      Equilibrium        end = solver->solve(to, before, from);
+      solved.state           = std::move(end.state);
+      solved.cuts            = end.cuts;
     }
     solved.checks = check(solved.state, to, last);
     return solved;
@@ -174,33 +176,46 @@ namespace lamella
 
 
 
-  Checks
-  LinearStep::check(const State      &state,
-                    const LoadFactor &factor,
-                    const bool        last)
+  void
+  LoadStep::check_pairs(const State &state, const LoadFactor &factor) const
   {
-    Checks                checks;
-    const GapConstraints &rows = system.constraints();
+    const GapConstraints &rows = solver->moving().rows();
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      {
+        contact_objects[k]->require_found(state.u,
+                                          factor,
+                                          rows.local_rows_of(k, state.active));
+        if (!state.friction.empty())
+          check_small_slip(contacts[k],
+                           rows.of_contact(k, state.force),
+                           rows.of_contact(k, state.friction.before));
+      }
+  }
+
+
+
+  // Equilibrium, energy and contact law, then what the kinematics neglect.
+  Checks
+  LoadStep::check(const State &state, const LoadFactor &factor, const bool last)
+  {
+    Checks              checks;
+    LinearSystem *const system = solver->linear_system();
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
-      checks =
-        check_state(system.tangent(), contacts, n_supports, state, factor);
+      const auto         tangent = solver->tangent_at(state);
+      checks = check_state(*tangent, contacts, n_supports, state, factor);
       check_solution(state, checks, parameters.rotation_limit);
-      for (unsigned int k = 0; k < contacts.size(); ++k)
-        {
-          contact_objects[k]->require_found(
-            state.u, factor, rows.local_rows_of(k, state.active));
-          if (!state.friction.empty())
-            check_small_slip(contacts[k],
-                             rows.of_contact(k, state.force),
-                             rows.of_contact(k, state.friction.before));
-        }
+      if (system == nullptr)
+        check_followed(*tangent, factor);
+      else
+        check_pairs(state, factor);
     }
-    if (!parameters.computes_estimates || !last)
+    if (system == nullptr || !parameters.computes_estimates || !last)
       return checks;
+    const Structure &structure = system->tangent().of();
     {
       TimerOutput::Scope scope(timer, name_of(Phase::beyond));
-      checks.beyond = beyond_linear(structure, system, state, checks.energies);
+      checks.beyond = beyond_linear(structure, *system, state, checks.energies);
     }
     if (parameters.beyond_linear == OutOfRange::refuse)
       check_linear_range(checks.beyond, structure);
@@ -209,7 +224,7 @@ namespace lamella
 
 
 
-  LoadPath::LoadPath(std::shared_ptr<Step>          step,
+  LoadPath::LoadPath(std::shared_ptr<LoadStep>      step,
                      const std::vector<LoadFactor> &factors,
                      const Substeps                &substeps,
                      const bool                     branches)

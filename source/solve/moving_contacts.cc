@@ -102,6 +102,8 @@ namespace lamella
                           const BlockVector                 &u,
                           const LoadFactor                  &factor)
   {
+    if (contact_objects.empty())
+      return;
     AssertDimension(known.size(), contact_objects.size());
     for (unsigned int c = 0; c < contact_objects.size(); ++c)
       contact_objects[c]->restore(known[c], u, factor);

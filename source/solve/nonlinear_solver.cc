@@ -516,55 +516,54 @@ namespace lamella
 
   // A failed attempt restores the state and the pairing of the start. Linear
   // structures have one attempt, as no smaller step does better.
-  bool
+  StepOutcome
   NonlinearSolver::attempt(const LoadFactor &to, Equilibrium &at)
   {
     if (linear != nullptr)
-      return step(to, false, at);
+      return {step(to, false, at)};
     const Equilibrium before   = at;
     const auto        pairings = contacts.memory();
-    const auto        back     = [&] {
-      const unsigned int iterations = at.state.iterations;
-      at                            = before;
-      at.state.iterations           = iterations;
-      contacts.restore(pairings, at.state.u, at.factor);
-    };
+    StepOutcome       outcome;
     for (const bool predicted : {true, false})
       {
         try
           {
             if (step(to, predicted, at))
-              return true;
-            last_failure = "The last iteration left " +
-                           to_text(at.residual, 2) +
-                           " of the forces unbalanced, and gaps off by " +
-                           to_text(at.law_error, 2) + ".";
+              return {true};
+            outcome.reason = "The last iteration left " +
+                             to_text(at.residual, 2) +
+                             " of the forces unbalanced, and gaps off by " +
+                             to_text(at.law_error, 2) + ".";
           }
         catch (const NumericsError &error)
           {
-            last_failure = error.what();
-            progress(last_failure);
+            outcome.reason = error.what();
+            progress(outcome.reason);
           }
         // A lost contact is the cause of the failures that follow.
         if (!contacts.reason_of_loss().empty())
-          lost_contact = contacts.reason_of_loss();
-        back();
+          outcome.lost_contact = contacts.reason_of_loss();
+        const unsigned int iterations = at.state.iterations;
+        at                            = before;
+        at.state.iterations           = iterations;
+        contacts.restore(pairings, at.state.u, at.factor);
       }
-    return false;
+    return outcome;
   }
 
 
 
   void
-  NonlinearSolver::throw_not_converged(const LoadFactor &reached,
-                                       const LoadFactor &to) const
+  NonlinearSolver::throw_not_converged(const StepOutcome &outcome,
+                                       const LoadFactor  &from,
+                                       const LoadFactor  &to) const
   {
     const std::string where = "beyond load factor " +
-                              to_text(reached.of_scene(), 6) +
-                              ", on the way to " + to_text(to.of_scene(), 6);
-    if (!lost_contact.empty())
+                              to_text(from.of_scene(), 6) + ", on the way to " +
+                              to_text(to.of_scene(), 6);
+    if (!outcome.lost_contact.empty())
       throw NumericsError("solve.contact-lost: No equilibrium was found " +
-                          where + ". " + lost_contact);
+                          where + ". " + outcome.lost_contact);
     throw NumericsError(
       "solve.no-equilibrium: No stable equilibrium was found " + where +
       ": the loads may exceed a limit load, or a body may buckle. Prescribe a "
@@ -580,18 +579,43 @@ namespace lamella
          " The Force of an obstacle may exceed what its contacts balance, or "
          "point away from the bodies; then prescribe u." :
          "") +
-      (last_failure.empty() ? "" : " (" + last_failure + ")"));
+      (outcome.reason.empty() ? "" : " (" + outcome.reason + ")"));
   }
 
 
 
-  State
-  NonlinearSolver::solve(const LoadFactor &factor, const State &previous)
+  // A state from another path (a branch or a bisection) first restores the
+  // contacts, whose constraints belong to the last solution.
+  Equilibrium
+  NonlinearSolver::solve(const LoadFactor &to,
+                         const State      &before,
+                         const LoadFactor &from)
   {
-    Equilibrium start = unloaded(factor);
-    if (previous.u.n_blocks() > 0)
-      start.state = previous;
-    return advance(start, factor).state;
+    Equilibrium start = unloaded(to);
+    if (before.u.n_blocks() > 0)
+      {
+        if (reached.n_blocks() == 0 || !(before.u == reached))
+          restore(before, from);
+        start.state  = before;
+        start.factor = from;
+      }
+    // Constraints belong to no state during the iterations.
+    reached         = BlockVector();
+    Equilibrium end = advance(start, to);
+    reached         = end.state.u;
+    if (linear != nullptr)
+      return end;
+    end.state.pairings = contacts.memory();
+    end.state.free_sizes.clear();
+    // The iterations end at the rounding of the largest displacement; forces
+    // between bodies have the rounding of their displacement.
+    constexpr double digits = 100.;
+    for (unsigned int b = 0; b < end.state.u.n_blocks(); ++b)
+      end.state.free_sizes.push_back(
+        std::max({digits * end.state.u.block(b).linfty_norm(),
+                  end.rounding / arithmetic::rounding,
+                  before.free_sizes.empty() ? 0. : before.free_sizes[b]}));
+    return end;
   }
 
 
@@ -603,24 +627,23 @@ namespace lamella
   {
     Equilibrium at      = start;
     at.state.iterations = at.cuts = 0;
-    last_failure.clear();
     // Completed fraction of the increment, and fraction of the next step.
     double done = 0., way = 1.;
     while (way * largest_rotation(start.factor, to) > parameters.rotation)
       way /= 2.;
     while (done < 1.)
       {
-        lost_contact.clear();
         const double     next   = std::min(1., done + way);
         const LoadFactor target = next < 1. ? to.after(start.factor, next) : to;
-        if (attempt(target, at))
+        const StepOutcome outcome = attempt(target, at);
+        if (outcome.converged)
           {
             done = next;
             continue;
           }
         way /= 2.;
         if (++at.cuts > parameters.max_bisections)
-          throw_not_converged(at.factor, to);
+          throw_not_converged(outcome, at.factor, to);
         progress("no convergence: a step of " + to_text(way, 4) +
                  " of the way is tried");
       }

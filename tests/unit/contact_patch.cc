@@ -59,7 +59,7 @@ namespace
       std::make_unique<Structure>(std::move(bodies), supports, loads);
     const auto  &rows = result.contacts[0].rows;
     LinearSystem system(linearized(*result.structure), rows);
-    result.state  = NonlinearSolver(system).solve(1.);
+    result.state  = NonlinearSolver(system).solve(1.).state;
     result.checks = check_state(
       system.tangent(), result.contacts, supports.size(), result.state, 1.);
     return result;

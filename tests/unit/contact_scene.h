@@ -63,7 +63,7 @@ namespace lamella
     State
     solve(const double factor = 1., const State &previous = State()) const
     {
-      return NonlinearSolver(*solver).solve(factor, previous);
+      return NonlinearSolver(*solver).solve(factor, previous).state;
     }
 
     /// How far g >= 0, lambda >= 0, g lambda = 0 are missed: the largest of -g

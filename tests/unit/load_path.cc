@@ -30,7 +30,7 @@ namespace
                               dealii::TimerOutput::wall_times};
     std::unique_ptr<BuiltScene>   built;
     std::unique_ptr<LinearSystem> solver;
-    std::shared_ptr<Step>         step;
+    std::shared_ptr<LoadStep>     step;
 
     explicit BlocksInContact(const std::vector<std::string> &overrides = {})
     {
@@ -39,12 +39,13 @@ namespace
       built = std::make_unique<BuiltScene>(scene, FieldRules(), nowhere, timer);
       solver = std::make_unique<LinearSystem>(linearized(built->structure()),
                                               built->rows());
-      step   = std::make_shared<LinearStep>(*solver,
-                                          built->interfaces(),
-                                          built->contact_objects(),
-                                          built->scene().supports.size(),
-                                          built->scene().solve,
-                                          timer);
+      step =
+        std::make_shared<LoadStep>(std::make_unique<NonlinearSolver>(*solver),
+                                   built->interfaces(),
+                                   built->contact_objects(),
+                                   built->scene().supports.size(),
+                                   built->scene().solve,
+                                   timer);
     }
   };
 

@@ -68,7 +68,7 @@ namespace
     solve(const Strategy strategy)
     {
       const auto solver = linear_system(strategy, *structure, contacts[0].rows);
-      return NonlinearSolver(*solver).solve(1.);
+      return NonlinearSolver(*solver).solve(1.).state;
     }
 
     TangentOperator

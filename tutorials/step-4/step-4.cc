@@ -180,7 +180,7 @@ TwoCubes::refined(const std::vector<GapConstraint> &rows,
 {
   try
     {
-      const State      state   = NonlinearSolver(solver).solve(1.);
+      const State      state   = NonlinearSolver(solver).solve(1.).state;
       ContactInterface contact = interface;
       contact.rows             = rows;
       check_solution(state,

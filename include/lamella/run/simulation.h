@@ -157,11 +157,11 @@ namespace lamella
     void
     prepare();
     /// Creates the solvers of load steps and contact for linear kinematics.
-    std::unique_ptr<Step>
-    make_linear_step(const MemoryBudget &budget);
+    std::unique_ptr<NonlinearSolver>
+    make_linear_solver(const MemoryBudget &budget);
     /// Creates the solver of load steps with finite rotations.
-    std::unique_ptr<Step>
-    make_large_step(const MemoryBudget &budget);
+    std::unique_ptr<NonlinearSolver>
+    make_large_solver(const MemoryBudget &budget);
     /// Updates the indices of gap constraints after surfaces were paired anew.
     void
     renumber_rows();
@@ -173,7 +173,7 @@ namespace lamella
     /// Returns the displacements due to temperatures alone, as reserve factors
     /// multiply only the stresses due to loads; null if not needed.
     std::shared_ptr<const BlockVector>
-    solve_thermal_state(Step &step);
+    solve_thermal_state(LoadStep &step);
     /// Adds checks and contact results, not in restart data, to the last step.
     void
     complete_last_step();

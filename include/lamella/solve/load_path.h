@@ -46,82 +46,62 @@ namespace lamella
             const State      &before,
             const double      before_force = 0.);
 
-  /// Interface for the solution of one load step: from an equilibrium state to
-  /// a checked equilibrium state at another load factor. Collective.
-  class Step
+  /// Solution of one load step: from an equilibrium state to a checked
+  /// equilibrium state at another load factor,
+  ///   1. the solution by NonlinearSolver,
+  ///   2. checks, which throw if the state is not reliable or, with constant
+  ///      contact constraints, if the search distance of a contact was too
+  ///      short.
+  /// Without friction, the previous state affects the number of iterations
+  /// only. Keeps references to all arguments but the solver; `timer` measures
+  /// each Phase. Collective.
+  class LoadStep
   {
   public:
-    virtual ~Step() = default;
+    /// Creates the load step of a scene with @p n_supports supports. @p
+    /// contacts are the constraints of its contacts @p contact_objects.
+    LoadStep(std::unique_ptr<NonlinearSolver>     solver,
+             const std::vector<ContactInterface> &contacts,
+             const Contacts                      &contact_objects,
+             const unsigned int                   n_supports,
+             const SolveParameters               &parameters,
+             dealii::TimerOutput                 &timer);
 
     /// Returns the solution at load factor @p to, starting from the state
     /// @p before at load factor @p from (empty if unloaded). Throws
     /// NumericsError if no reliable solution is found. The neglected
     /// effects of large deflections are estimated in the @p last substep only.
-    virtual SolvedStep
-    operator()(const State      &before,
-               const LoadFactor &from,
-               const LoadFactor &to,
-               const bool        last = true) = 0;
-
-    /// Returns the checks of @p state at load factor @p factor. Throws
-    /// NumericsError if the state is not reliable. Effects of large deflections
-    /// are estimated if @p last is true.
-    virtual Checks
-    check(const State      &state,
-          const LoadFactor &factor,
-          const bool        last = true) = 0;
-
-    /// Continues an interrupted run from a state. By default does nothing.
-    virtual void
-    resume_from(const State &, const LoadFactor &)
-    {}
-  };
-
-  /// Load step with linear kinematics:
-  ///   1. the solution by NonlinearSolver with the constant LinearSystem,
-  ///   2. checks, which throw if the state is not reliable, or if the search
-  ///      distance of a contact was too short.
-  /// Without friction, the previous state affects the number of iterations
-  /// only. Keeps references to all arguments; `timer` measures each Phase.
-  class LinearStep : public Step
-  {
-  public:
-    /// Creates the load step of a scene with @p n_supports supports. @p
-    /// contacts are the constraints of its contacts @p contact_objects.
-    LinearStep(LinearSystem                        &system,
-               const std::vector<ContactInterface> &contacts,
-               const Contacts                      &contact_objects,
-               const unsigned int                   n_supports,
-               const SolveParameters               &parameters,
-               dealii::TimerOutput                 &timer);
-
-    /// Returns the solver, for its callbacks.
-    NonlinearSolver &
-    nonlinear_solver()
-    {
-      return solver;
-    }
-
     SolvedStep
     operator()(const State      &before,
                const LoadFactor &from,
                const LoadFactor &to,
-               const bool        last = true) override;
+               const bool        last = true);
 
+    /// Returns the checks of @p state at load factor @p factor. Throws
+    /// NumericsError if the state is not reliable. Effects of large deflections
+    /// are estimated if the structure is linear and @p last is true.
     Checks
-    check(const State      &state,
-          const LoadFactor &factor,
-          const bool        last = true) override;
+    check(const State &state, const LoadFactor &factor, const bool last = true);
+
+    /// Continues an interrupted run from the state @p last at @p factor.
+    void
+    resume_from(const State &last, const LoadFactor &factor)
+    {
+      solver->restore(last, factor);
+    }
 
   private:
-    LinearSystem                        &system;
-    NonlinearSolver                      solver;
-    const Structure                     &structure;
-    const std::vector<ContactInterface> &contacts;
-    const Contacts                      &contact_objects;
-    const unsigned int                   n_supports;
-    const SolveParameters               &parameters;
-    dealii::TimerOutput                 &timer;
+    /// Throws if the constant constraints of the contacts are not valid for @p
+    /// state at load factor @p factor.
+    void
+    check_pairs(const State &state, const LoadFactor &factor) const;
+
+    const std::unique_ptr<NonlinearSolver> solver;
+    const std::vector<ContactInterface>   &contacts;
+    const Contacts                        &contact_objects;
+    const unsigned int                     n_supports;
+    const SolveParameters                 &parameters;
+    dealii::TimerOutput                   &timer;
   };
 
   /// Sequence of the load steps of a scene. Each step starts from the state of
@@ -137,7 +117,7 @@ namespace lamella
 
     /// Creates the path from the unloaded state through the load @p factors,
     /// each in @p substeps. If @p branches is true, branch() may be called.
-    LoadPath(std::shared_ptr<Step>          step,
+    LoadPath(std::shared_ptr<LoadStep>      step,
              const std::vector<LoadFactor> &factors,
              const Substeps                &substeps = {},
              const bool                     branches = false);
@@ -180,7 +160,8 @@ namespace lamella
       return last;
     }
 
-    /// Performs the next load step. If Step throws, this object is unchanged.
+    /// Performs the next load step. If LoadStep throws, this object is
+    /// unchanged.
     SolvedStep
     advance();
 
@@ -236,13 +217,13 @@ namespace lamella
     StoredState
     end_of(const unsigned int load_step);
 
-    const std::shared_ptr<Step>   step;
-    const std::vector<LoadFactor> factors;
-    const Substeps                substeps;
-    const bool                    branches;
-    ChangeMeasure                 change_measure;
-    unsigned int                  done = 0;
-    State                         last;
+    const std::shared_ptr<LoadStep> step;
+    const std::vector<LoadFactor>   factors;
+    const Substeps                  substeps;
+    const bool                      branches;
+    ChangeMeasure                   change_measure;
+    unsigned int                    done = 0;
+    State                           last;
     /// Largest force of supports and contacts in the state `last`.
     double last_force = 0.;
 

@@ -31,6 +31,15 @@ namespace lamella
     double rounding = 0.;
   };
 
+  /// Outcome of an attempt to find the equilibrium at a load factor.
+  struct StepOutcome
+  {
+    bool        converged = false;
+    std::string reason    = {}; ///< Cause of a failure, one sentence.
+    /// Why a contact was lost in the attempt; empty if none was lost.
+    std::string lost_contact = {};
+  };
+
   /// Newton's method for structures with contact, linear or with finite
   /// rotations,
   ///   f_int(u) = f(t) + B(u)^T lambda,   u = G v + u_p(t),
@@ -104,6 +113,7 @@ namespace lamella
     restore(const State &state, const LoadFactor &factor)
     {
       contacts.restore(state.pairings, state.u, factor);
+      reached = state.u;
     }
 
     /// Returns the equilibrium at load factor @p to, starting from the
@@ -113,10 +123,25 @@ namespace lamella
     Equilibrium
     advance(const Equilibrium &start, const LoadFactor &to);
 
-    /// Returns the equilibrium state at load factor @p factor, starting from
-    /// the state @p previous; empty: the unloaded one. Calls advance().
-    State
-    solve(const LoadFactor &factor, const State &previous = State());
+    /// Returns the equilibrium at load factor @p to, starting from the state
+    /// @p before at load factor @p from; empty: the unloaded state. Restores
+    /// the contacts of @p before if needed, then calls advance().
+    Equilibrium
+    solve(const LoadFactor &to,
+          const State      &before = State(),
+          const LoadFactor &from   = 0.);
+
+    /// Returns the tangent at the displacements of @p state without solvers;
+    /// of linear structures, the constant one.
+    std::shared_ptr<const TangentOperator>
+    tangent_at(const State &state) const;
+
+    /// Returns the constant equations of a linear structure, or null.
+    LinearSystem *
+    linear_system() const
+    {
+      return linear;
+    }
 
     /// Returns the contacts, whose constraints are those of the last state.
     const MovingContacts &
@@ -151,11 +176,6 @@ namespace lamella
             const State      &previous,
             const LoadFactor &to) const;
 
-    /// Returns the tangent at the displacements of @p state without solvers;
-    /// of linear structures, the constant one.
-    std::shared_ptr<const TangentOperator>
-    tangent_at(const State &state) const;
-
     /// Returns the largest support rotation between two load factors [rad].
     double
     largest_rotation(const LoadFactor &from, const LoadFactor &to) const;
@@ -168,7 +188,7 @@ namespace lamella
     step(const LoadFactor &to, const bool predicted, Equilibrium &at);
 
     /// Performs step() with stress prediction and, if that fails, without.
-    bool
+    StepOutcome
     attempt(const LoadFactor &to, Equilibrium &at);
 
     /// Changes of spring offsets in an iteration of a linear structure: the
@@ -410,9 +430,12 @@ namespace lamella
                                const std::string &motion,
                                const double       rate) const;
 
-    /// Throws NumericsError with the factor reached and the cause of failure.
+    /// Throws NumericsError: the last attempt from load factor @p from on the
+    /// way to @p to ended with @p outcome.
     [[noreturn]] void
-    throw_not_converged(const LoadFactor &reached, const LoadFactor &to) const;
+    throw_not_converged(const StepOutcome &outcome,
+                        const LoadFactor  &from,
+                        const LoadFactor  &to) const;
 
     /// Returns true if the displacements @p way are at most
     /// NonlinearParameters::negligible_correction times the scene diagonal.
@@ -431,8 +454,8 @@ namespace lamella
     LinearSystem *const linear = nullptr;
     const Structure    &structure;
     MovingContacts      contacts;
-    /// Message of the last failed attempt, and why a contact was lost in it.
-    std::string               last_failure, lost_contact;
+    /// Displacements at which solve() or restore() left the contacts.
+    BlockVector               reached;
     const SolverKind          requested;
     const NonlinearParameters parameters;
     const Strategy            strategy; ///< Of the linearized contact problems.
