@@ -7,20 +7,92 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 
 namespace lamella
 {
+  /// Ordering and symbolic factor of CHOLMOD, with the places of the nonzero
+  /// entries to which they belong.
+  class SymbolicFactor
+  {
+  public:
+    /// Analyzes the pattern of @p A.
+    explicit SymbolicFactor(cholmod_sparse &A)
+      : start(places(A.p, A.ncol + 1))
+      , rows(places(A.i, start.back()))
+    {
+      start_cholmod(common);
+      factor = cholmod_l_analyze(&A, &common);
+      if (factor == nullptr)
+        {
+          cholmod_l_finish(&common);
+          throw std::bad_alloc();
+        }
+    }
+    SymbolicFactor(const SymbolicFactor &) = delete;
+    ~SymbolicFactor()
+    {
+      cholmod_l_free_factor(&factor, &common);
+      cholmod_l_finish(&common);
+    }
+
+    /// Starts CHOLMOD with the settings of all factorizations.
+    static void
+    start_cholmod(cholmod_common &common)
+    {
+      cholmod_l_start(&common);
+      common.supernodal = CHOLMOD_SUPERNODAL;
+      common.final_ll   = true;
+      common.print      = 0;
+    }
+
+    /// Returns true if @p A has entries at the same places.
+    bool
+    is_of(const cholmod_sparse &A) const
+    {
+      return start.size() == A.ncol + 1 &&
+             std::equal(start.begin(), start.end(), integers(A.p)) &&
+             std::equal(rows.begin(), rows.end(), integers(A.i));
+    }
+
+    /// Returns a copy that owns its memory in @p other.
+    cholmod_factor *
+    copy(cholmod_common &other) const
+    {
+      return cholmod_l_copy_factor(factor, &other);
+    }
+
+  private:
+    static const SuiteSparse_long *
+    integers(const void *const array)
+    {
+      return static_cast<const SuiteSparse_long *>(array);
+    }
+    static std::vector<DofIndex>
+    places(const void *const array, const std::size_t n)
+    {
+      return {integers(array), integers(array) + n};
+    }
+
+    const std::vector<DofIndex> start, rows;
+    mutable cholmod_common      common;
+    cholmod_factor             *factor = nullptr;
+  };
+
+
+
   namespace
   {
     /// The workspace of CHOLMOD and the factor L, both freed with the object.
     class CholmodFactorization : public LinearSolver
     {
     public:
-      CholmodFactorization(const Matrix        &matrix,
-                           const std::string   &what,
-                           const FactorMonitor &monitor);
+      CholmodFactorization(const Matrix                          &matrix,
+                           const std::string                     &what,
+                           const FactorMonitor                   &monitor,
+                           std::shared_ptr<const SymbolicFactor> *symbolic);
       CholmodFactorization(const CholmodFactorization &) = delete;
       ~CholmodFactorization() override;
 
@@ -116,21 +188,35 @@ namespace lamella
 
 
 
-    CholmodFactorization::CholmodFactorization(const Matrix        &matrix,
-                                               const std::string   &what,
-                                               const FactorMonitor &monitor)
+    /// The symbolic factor of @p A: a copy of that in @p symbolic if it fits.
+    cholmod_factor *
+    analyzed(cholmod_sparse                        &A,
+             std::shared_ptr<const SymbolicFactor> *symbolic,
+             cholmod_common                        &common)
+    {
+      if (symbolic == nullptr)
+        return cholmod_l_analyze(&A, &common);
+      if (*symbolic == nullptr || !(*symbolic)->is_of(A))
+        *symbolic = std::make_shared<const SymbolicFactor>(A);
+      return (*symbolic)->copy(common);
+    }
+
+
+
+    CholmodFactorization::CholmodFactorization(
+      const Matrix                          &matrix,
+      const std::string                     &what,
+      const FactorMonitor                   &monitor,
+      std::shared_ptr<const SymbolicFactor> *symbolic)
     {
       // The monitor may free the matrix: nobody asks it afterwards.
       const DofIndex n = matrix.m();
       for (DofIndex i = 0; i < n; ++i)
         greatest = std::max(greatest, std::abs(matrix.diag_element(i)));
-      cholmod_l_start(&common);
-      common.supernodal = CHOLMOD_SUPERNODAL;
-      common.final_ll   = true;
-      common.print      = 0;
+      SymbolicFactor::start_cholmod(common);
 
       cholmod_sparse *A = lower_triangle(matrix, common);
-      factor            = cholmod_l_analyze(A, &common);
+      factor            = analyzed(*A, symbolic, common);
       if (factor == nullptr)
         throw std::bad_alloc();
       try
@@ -293,10 +379,14 @@ namespace lamella
 
 
   std::unique_ptr<LinearSolver>
-  factorize(const Matrix        &matrix,
-            const std::string   &what,
-            const FactorMonitor &monitor)
+  factorize(const Matrix                          &matrix,
+            const std::string                     &what,
+            const FactorMonitor                   &monitor,
+            std::shared_ptr<const SymbolicFactor> *symbolic)
   {
-    return std::make_unique<CholmodFactorization>(matrix, what, monitor);
+    return std::make_unique<CholmodFactorization>(matrix,
+                                                  what,
+                                                  monitor,
+                                                  symbolic);
   }
 } // namespace lamella

@@ -64,19 +64,24 @@ namespace lamella
       factorize(const std::string   &what,
                 const FactorMonitor &monitor) const override
       {
-        return lamella::factorize(matrix, what, monitor);
+        return lamella::factorize(matrix,
+                                  what,
+                                  monitor,
+                                  structure == nullptr ? nullptr :
+                                                         &structure->factor);
       }
 
       void
       release() override
       {
         matrix.clear();
-        sparsity.reinit(0, 0, 0);
+        pattern.reset();
       }
 
     private:
-      SparsityPattern sparsity;
-      Matrix          matrix;
+      std::shared_ptr<MatrixStructure>       structure;
+      std::shared_ptr<const SparsityPattern> pattern;
+      Matrix                                 matrix;
     };
 
 
@@ -103,14 +108,52 @@ namespace lamella
       return pattern;
     }
 
+    /// DoFs of each constraint and spring, with their number.
+    std::vector<DofIndex>
+    couplings_of(const StiffnessTerms &terms, const Constraints &constraints)
+    {
+      std::vector<DofIndex> couplings;
+      for (const auto &line : constraints.get_lines())
+        {
+          couplings.push_back(line.index);
+          couplings.push_back(line.entries.size());
+          for (const auto &[dof, weight] : line.entries)
+            couplings.push_back(dof);
+        }
+      for (const SpringTerm &spring : terms.springs)
+        {
+          const std::vector<DofIndex> dofs = dofs_of(spring.first);
+          couplings.push_back(dofs.size());
+          couplings.insert(couplings.end(), dofs.begin(), dofs.end());
+        }
+      return couplings;
+    }
+
 
 
     SerialStiffness::SerialStiffness(const StiffnessTerms &terms,
                                      const Constraints    &constraints)
+      : structure(terms.structure)
     {
-      // It takes as much memory as the matrix and goes before that is made.
-      sparsity.copy_from(pattern_of(terms, constraints));
-      matrix.reinit(sparsity);
+      std::vector<DofIndex> couplings;
+      if (structure != nullptr)
+        couplings = couplings_of(terms, constraints);
+      if (structure != nullptr && structure->pattern != nullptr &&
+          structure->couplings == couplings)
+        pattern = structure->pattern;
+      else
+        {
+          auto made = std::make_shared<SparsityPattern>();
+          // It takes as much memory as the matrix and goes before that is made.
+          made->copy_from(pattern_of(terms, constraints));
+          pattern = std::move(made);
+        }
+      if (structure != nullptr)
+        {
+          structure->couplings = std::move(couplings);
+          structure->pattern   = pattern;
+        }
+      matrix.reinit(*pattern);
 
       terms.for_each_block(true, [&](const StiffnessBlock &block) {
         const std::size_t n = block.columns.size();

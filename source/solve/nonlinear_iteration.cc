@@ -2,6 +2,7 @@
 
 // One iteration of Newton's method with contact. About the state u:
 // 1. factorize the tangent K (nonlinear_springs.cc regularizes it if needed);
+//    keep that of the last iteration if one more correction should suffice;
 // 2. du = K^-1 r + support motion, without a change of contact forces;
 // 3. solve the contact problem of the linearized gaps g + B du for forces and
 //    active set by static condensation (Wriggers, Computational Contact
@@ -211,26 +212,26 @@ namespace lamella
 
 
 
-  // The Cholesky factor of the tangent of the last correction proves a minimum
-  // of the energy; that of the end is formed only after a large correction.
+  // The Cholesky factor of the last tangent proves a minimum of the energy;
+  // that of the end is formed only if it is far away.
   void
-  NonlinearSolver::check_stability(const BlockVector &before,
-                                   const Correction  &last,
-                                   const State       &state,
-                                   const LoadFactor  &to) const
+  NonlinearSolver::check_stability(const BlockVector        &before,
+                                   const RegularizedTangent &about,
+                                   const Correction         &last,
+                                   const State              &state,
+                                   const LoadFactor         &to) const
   {
     if (last.is_unstable)
       throw_unstable();
     if (linear != nullptr ||
         (structure.has_springs() && check_supports(state, to)))
       return;
-    BlockVector way = state.u;
+    BlockVector way = state.u, beyond = state.u;
     way -= before;
-    if (!last.uses_constraint_shift &&
-        length_of(last.du) <= parameters.converged_step * length_of(way))
-      return;
-    Regularization none;
-    tangent(state, BlockVector(), to, none);
+    beyond -= about.K->displacements();
+    if (about.shift != nullptr ||
+        length_of(beyond) > parameters.converged_step * length_of(way))
+      tangent(state, BlockVector(), to);
   }
 
 
@@ -238,28 +239,27 @@ namespace lamella
   // With a shift, contact forces of active constraints become lambda + rho g
   // before the contact problem and return to lambda after it.
   NonlinearSolver::Correction
-  NonlinearSolver::correct(const BlockVector &r,
-                           const BlockVector &moved,
-                           const BlockVector &correction,
-                           const LoadFactor  &to,
-                           State             &state) const
+  NonlinearSolver::correct(const RegularizedTangent &about,
+                           const BlockVector        &r,
+                           const BlockVector        &moved,
+                           const LoadFactor         &to,
+                           State                    &state) const
   {
-    Regularization        regularization;
-    const TangentOperator about =
-      tangent(state, correction, to, regularization);
-    const auto       &shift    = regularization.shift;
+    const auto       &shift    = about.shift;
     const BlockVector before   = state.u;
     BlockVector       du       = moved;
     bool              unstable = false;
     if (contacts.none())
-      du += about.solve(r);
+      du += about.K->solve(r);
     else
       {
         const GapConstraints rows = shift ? shift->rows() : contacts.rows();
         const double         n =
           n_in_contact(rows, state, to, rounding_of_gaps(state, to));
         const auto solver =
-          make_strategy(choose_strategy(strategy, structure, n), about, rows);
+          make_strategy(choose_strategy(strategy, structure, n),
+                        *about.K,
+                        rows);
         // Gaps are linear in du, so states add up in the contact problem.
         if (shift)
           shift->remove_shift(sum_of(before, moved), to, state);
@@ -271,14 +271,14 @@ namespace lamella
         if (shift)
           shift->apply_shift(sum_of(before, du), to, state);
         du = correct_row_rotation(
-          *solver, before, du, regularization.regularization_factor, to, state);
+          *solver, before, du, about.regularization_factor, to, state);
       }
     shorten(du);
     state.u = structure.retract(before, du);
     // Springs contribute to K only; their offsets remove the force.
     if (structure.has_springs())
       state.rest = structure.spring_lengths(state.u);
-    return {std::move(du), shift != nullptr, unstable};
+    return {std::move(du), unstable};
   }
 
 
@@ -320,6 +320,6 @@ namespace lamella
                  to_text(released.length, 2));
         state.rest = structure.spring_lengths(state.u);
       }
-    return {std::move(du), false, transfer.is_unstable, released};
+    return {std::move(du), transfer.is_unstable, released};
   }
 } // namespace lamella

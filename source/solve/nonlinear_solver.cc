@@ -23,6 +23,18 @@ namespace lamella
 {
   namespace
   {
+    /// Empty structures, one per body.
+    TangentOperator::MatrixStructures
+    structures_of(const Structure &structure)
+    {
+      TangentOperator::MatrixStructures all;
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        all.push_back(std::make_shared<MatrixStructure>());
+      return all;
+    }
+
+
+
     std::string
     number_of_row(const unsigned int row)
     {
@@ -64,6 +76,7 @@ namespace lamella
     , describe(number_of_row)
     , structure(structure)
     , contacts(contacts)
+    , matrix_structures(structures_of(structure))
     , requested(requested)
     , parameters(parameters)
     , strategy(strategy)
@@ -176,6 +189,21 @@ namespace lamella
   NonlinearSolver::ResidualHistory::stagnates(const double share) const
   {
     return now > share * before && before > share * earlier;
+  }
+
+
+
+  // The last correction left the error r = dK du / 2 of the tangent change dK
+  // along it. With the tangent before it, the next leaves dK K^-1 r, which is
+  // 2 r^2 over the residual before.
+  bool
+  NonlinearSolver::is_accurate_enough(const RegularizedTangent &about,
+                                      const ResidualHistory    &left) const
+  {
+    return about.K != nullptr && about.shift == nullptr &&
+           about.regularization_factor == 1. &&
+           left.before < std::numeric_limits<double>::max() &&
+           2. * left.now * left.now <= parameters.force_tolerance * left.before;
   }
 
 
@@ -428,15 +456,16 @@ namespace lamella
 
 
   bool
-  NonlinearSolver::has_all_pairs(const BlockVector &before,
-                                 const Correction  &last,
-                                 const LoadFactor  &to,
-                                 Equilibrium       &at)
+  NonlinearSolver::has_all_pairs(const BlockVector        &before,
+                                 const RegularizedTangent &about,
+                                 const Correction         &last,
+                                 const LoadFactor         &to,
+                                 Equilibrium              &at)
   {
     if (contacts.find_loads(at.state, to))
       return false;
     contacts.check_kept(before, at.factor, at.state, to);
-    check_stability(before, last, at.state, to);
+    check_stability(before, about, last, at.state, to);
     return true;
   }
 
@@ -459,22 +488,26 @@ namespace lamella
     StepStart start =
       linear != nullptr ? linear_start(to, at) : step_start(to, at);
     auto &[moved, r, began, estimate, is_solution] = start;
-    Correction   last;
-    Residuals    residuals;
-    unsigned int pairings = 0;
+    RegularizedTangent about;
+    Correction         last;
+    Residuals          residuals;
+    unsigned int       pairings = 0;
     for (unsigned int k = 0; k < parameters.max_iterations && !is_solution; ++k)
       {
         // Linear structures count the rounds of their contact problems.
         state.iterations += linear == nullptr ? 1 : 0;
         // Thermal strains of the increment are mostly free of stress, so the
         // first tangent uses the previous heat factor.
-        last     = linear != nullptr ?
-                     correct_linear(r, to, estimate, state) :
-                     correct(r,
-                         moved,
-                         predicted ? last.du : BlockVector(),
-                         k == 0 ? to.with_thermal_factor_of(at.factor) : to,
-                         state);
+        if (linear == nullptr && !is_accurate_enough(about, residuals.forces))
+          {
+            // Frees the memory of the last factor.
+            about = RegularizedTangent();
+            about = tangent(state,
+                            predicted ? last.du : BlockVector(),
+                            k == 0 ? to.with_thermal_factor_of(at.factor) : to);
+          }
+        last     = linear != nullptr ? correct_linear(r, to, estimate, state) :
+                                       correct(about, r, moved, to, state);
         estimate = State();
 
         structure.check_orientation(state.u);
@@ -488,14 +521,15 @@ namespace lamella
         if (is_converged(last, *tangent, r, to, residuals, at) &&
             is_negligible(moved))
           {
-            is_solution = has_all_pairs(before, last, to, at);
+            is_solution = has_all_pairs(before, about, last, to, at);
             if (is_solution)
               break;
             if (++pairings > parameters.max_pairings)
               break;
             r = unbalanced(state, to);
             // New pairs have their first forces: reset the reference residual.
-            began = 0.;
+            began     = 0.;
+            residuals = Residuals();
           }
         if (moved.l2_norm() > 0.)
           r -= tangent->apply(moved);

@@ -67,11 +67,10 @@ namespace lamella
   // The first regularization with a Cholesky factor is used; if all fail, the
   // last exception is rethrown. Regularized K changes the path of the
   // iteration, not its limit, since residuals are evaluated without it.
-  TangentOperator
+  NonlinearSolver::RegularizedTangent
   NonlinearSolver::tangent(const State       &state,
                            const BlockVector &correction,
-                           const LoadFactor  &to,
-                           Regularization    &regularization) const
+                           const LoadFactor  &to) const
   {
     // A shifted normal force would change the friction bound mu lambda_n.
     const bool         may_lean = !contacts.rows().has_friction();
@@ -79,25 +78,30 @@ namespace lamella
     for (const AidTrial &trial : trials(may_lean, structure.has_springs()))
       try
         {
-          regularization.shift.reset();
-          regularization.regularization_factor = trial.regularization_factor;
+          RegularizedTangent about;
+          about.regularization_factor = trial.regularization_factor;
           if (trial.shift > 0.)
-            regularization.shift =
-              std::make_unique<const ActiveConstraintShift>(
-                contacts.interfaces(),
-                state,
-                structure.bodies().size(),
-                trial.shift);
-          if (regularization.shift && regularization.shift->none())
+            about.shift = std::make_unique<const ActiveConstraintShift>(
+              contacts.interfaces(),
+              state,
+              structure.bodies().size(),
+              trial.shift);
+          if (about.shift && about.shift->none())
             continue;
           ActiveConstraintShift::Springs more;
-          if (regularization.shift)
-            more = regularization.shift->springs();
-          else if (regularization.regularization_factor > 1.)
-            more =
-              springs_of(structure, regularization.regularization_factor - 1.);
-          return TangentOperator(
-            structure, state.u, requested, monitor, correction, to, more);
+          if (about.shift)
+            more = about.shift->springs();
+          else if (about.regularization_factor > 1.)
+            more = springs_of(structure, about.regularization_factor - 1.);
+          about.K = std::make_unique<const TangentOperator>(structure,
+                                                            state.u,
+                                                            requested,
+                                                            monitor,
+                                                            correction,
+                                                            to,
+                                                            more,
+                                                            matrix_structures);
+          return about;
         }
       catch (const IllConditioned &)
         {
@@ -261,14 +265,11 @@ namespace lamella
     const BlockVector internal = structure.internal_forces(state.u, state.rest);
     if (is_rounding(TangentOperator(structure, state.u), internal, state.u))
       return false;
-    Regularization        regularization;
-    const TangentOperator about =
-      tangent(state, BlockVector(), to, regularization);
-    const GapConstraints rows =
-      regularization.shift ? regularization.shift->rows() : contacts.rows();
-    const auto loads =
-      loads_of_springs(structure, regularization.regularization_factor);
-    const auto                 modes = answers(about, rows, state, loads);
+    const RegularizedTangent about = tangent(state, BlockVector(), to);
+    const GapConstraints     rows =
+      about.shift ? about.shift->rows() : contacts.rows();
+    const auto loads = loads_of_springs(structure, about.regularization_factor);
+    const auto modes = answers(*about.K, rows, state, loads);
     dealii::FullMatrix<double> G(modes.size()), energy(modes.size());
     for (unsigned int i = 0; i < modes.size(); ++i)
       for (unsigned int j = 0; j < modes.size(); ++j)

@@ -383,6 +383,21 @@ namespace lamella
 
 
 
+  double
+  Structure::largest_stiffness(const unsigned int body) const
+  {
+    stiffest.resize(all_bodies.size(), 0.);
+    if (stiffest[body] == 0.)
+      stiffest[body] = assembled_stiffness(*all_bodies[body],
+                                           reduction(body).constraints(),
+                                           spring_terms(body))
+                         ->diagonal()
+                         .linfty_norm();
+    return stiffest[body];
+  }
+
+
+
   bool
   Structure::has_springs() const
   {

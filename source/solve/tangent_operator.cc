@@ -248,7 +248,8 @@ namespace lamella
     const BodyMonitor                          &monitor,
     const BlockVector                          &correction,
     const LoadFactor                           &factor,
-    const std::vector<std::vector<SpringTerm>> &more)
+    const std::vector<std::vector<SpringTerm>> &more,
+    const MatrixStructures                     &matrix_structures)
     : TangentOperator(structure, u, factor, correction, more)
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -258,7 +259,10 @@ namespace lamella
           monitor.begins(body);
         try
           {
-            solvers.push_back(body.solver_of(terms(b),
+            StiffnessTerms all = terms(b);
+            if (!matrix_structures.empty())
+              all.structure = matrix_structures[b];
+            solvers.push_back(body.solver_of(all,
                                              reduction(b).constraints(),
                                              requested,
                                              of_body(body, monitor)));
@@ -409,14 +413,7 @@ namespace lamella
   {
     if (body < solvers.size())
       return solvers[body]->largest_diagonal();
-    stiffest.resize(structure.bodies().size(), 0.);
-    if (stiffest[body] == 0.)
-      stiffest[body] = assembled_stiffness(*structure.bodies()[body],
-                                           reduction(body).constraints(),
-                                           structure.spring_terms(body))
-                         ->diagonal()
-                         .linfty_norm();
-    return stiffest[body];
+    return structure.largest_stiffness(body);
   }
 
 

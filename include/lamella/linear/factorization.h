@@ -25,19 +25,24 @@ namespace lamella
     const DofIndex dof;
   };
 
+  class SymbolicFactor;
+
   /// Factorizes @p matrix, of which only the upper triangle is read, with
   /// CHOLMOD's supernodal Cholesky factorization A = P^T L L^T P (AMD or METIS
   /// ordering, serial). The condition estimate is the squared ratio of the
   /// largest to the smallest diagonal entry of L.
   ///
   /// The nonzero entries are copied. @p monitor is called between symbolic
-  /// analysis and factorization. Throws NotPositiveDefinite, with @p what as
-  /// name of the matrix, if a pivot is not positive, NumericsError if memory is
-  /// insufficient.
+  /// analysis and factorization. If @p symbolic is not null, the symbolic
+  /// factor that it points to is used if it belongs to the same nonzero
+  /// entries, and replaced otherwise. Throws NotPositiveDefinite, with @p what
+  /// as name of the matrix, if a pivot is not positive, NumericsError if memory
+  /// is insufficient.
   std::unique_ptr<LinearSolver>
-  factorize(const Matrix        &matrix,
-            const std::string   &what,
-            const FactorMonitor &monitor = {});
+  factorize(const Matrix                          &matrix,
+            const std::string                     &what,
+            const FactorMonitor                   &monitor  = {},
+            std::shared_ptr<const SymbolicFactor> *symbolic = nullptr);
 
   /// Matrix entries in MUMPS's coordinate format, with rows and columns
   /// numbered from 1. Entries of the same row and column are summed.

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/index_set.h>
 
+#include <deal.II/lac/sparsity_pattern.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,6 +50,21 @@ namespace lamella
   /// to the ground along r, with k in force/length if r is dimensionless.
   using SpringTerm = std::pair<LinearFunctional, double>;
 
+  class SymbolicFactor;
+
+  /// Sparsity pattern and symbolic factor of a stiffness matrix, which the
+  /// matrices of a body at several displacements have in common. Each matrix
+  /// uses them if its couplings are equal, and stores its own otherwise.
+  struct MatrixStructure
+  {
+    /// DoFs of constraints and springs, with the number of each: the part of
+    /// the pattern that may change between matrices of one body.
+    std::vector<DofIndex>                          couplings;
+    std::shared_ptr<const dealii::SparsityPattern> pattern;
+    /// Result of CHOLMOD's analysis, for the entries that were not zero.
+    std::shared_ptr<const SymbolicFactor> factor;
+  };
+
   /// The stiffness of a body before condensation: sum of blocks and springs.
   struct StiffnessTerms
   {
@@ -60,6 +77,8 @@ namespace lamella
     std::vector<SpringTerm> springs; ///< Springs, equal on all processes.
     /// True if blocks of loads may couple DoFs that share no element.
     bool has_loads = false;
+    /// Structure to use again for equal couplings; may be null.
+    std::shared_ptr<MatrixStructure> structure = {};
   };
 
   /// The assembled stiffness matrix of a body, condensed by the homogeneous

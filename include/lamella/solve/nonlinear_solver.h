@@ -205,25 +205,41 @@ namespace lamella
     SpringRelease
     spring_motion(const State &state, const LoadFactor &to) const;
 
-    /// Result of an iteration: displacement increment, whether
-    /// ActiveConstraintShift was used, whether friction is unstable, and the
-    /// spring with the largest force.
+    /// Tangent K of an iteration. If it is indefinite, it is regularized by
+    /// active constraints, or by springs with stiffnesses multiplied by
+    /// `regularization_factor`.
+    struct RegularizedTangent
+    {
+      std::unique_ptr<const TangentOperator>       K;
+      std::unique_ptr<const ActiveConstraintShift> shift;
+      double                                       regularization_factor = 1.;
+    };
+
+    /// Returns the tangent of @p state at load factor @p to, after the last
+    /// @p correction, regularized. Throws IllConditioned if indefinite.
+    RegularizedTangent
+    tangent(const State       &state,
+            const BlockVector &correction,
+            const LoadFactor  &to) const;
+
+    /// Result of an iteration: displacement increment, whether friction is
+    /// unstable, and the spring with the largest force.
     struct Correction
     {
       BlockVector   du;
-      bool          uses_constraint_shift = false, is_unstable = false;
-      SpringRelease released = {};
+      bool          is_unstable = false;
+      SpringRelease released    = {};
     };
 
-    /// Performs one iteration: adds to @p state, and returns, the correction
-    /// due to the unbalanced forces @p r, support motion @p moved and contact.
-    /// Predicts stresses with the last @p correction.
+    /// Performs one iteration with the tangent @p about: adds to @p state, and
+    /// returns, the correction due to the unbalanced forces @p r, support
+    /// motion @p moved and contact.
     Correction
-    correct(const BlockVector &r,
-            const BlockVector &moved,
-            const BlockVector &correction,
-            const LoadFactor  &to,
-            State             &state) const;
+    correct(const RegularizedTangent &about,
+            const BlockVector        &r,
+            const BlockVector        &moved,
+            const LoadFactor         &to,
+            State                    &state) const;
     /// Performs one iteration of a linear structure. The first estimates are
     /// the contact forces of @p estimate, if not empty, in its active
     /// constraints that penetrate without contact.
@@ -233,32 +249,18 @@ namespace lamella
                    const State       &estimate,
                    State             &state) const;
 
-    /// Regularization of an indefinite tangent: by active constraints, or by
-    /// springs with stiffnesses multiplied by `regularization_factor`.
-    struct Regularization
-    {
-      std::unique_ptr<const ActiveConstraintShift> shift;
-      double                                       regularization_factor = 1.;
-    };
-
-    /// Returns the tangent of @p state at load factor @p to, after the last
-    /// @p correction, regularized. Throws IllConditioned if indefinite.
-    TangentOperator
-    tangent(const State       &state,
-            const BlockVector &correction,
-            const LoadFactor  &to,
-            Regularization    &regularization) const;
-
     /// Throws IllConditioned if the regularized tangent of @p state at load
     /// factor @p to is not definite, unless the structure is linear. The
-    /// tangent of the last correction was definite; it suffices if that
-    /// correction is small relative to the increment from @p before and no
-    /// regularization was used. Throws NumericsError if friction is unstable.
+    /// tangent @p about of the last iteration was definite; it suffices if it
+    /// is near, relative to the increment from @p before, and not shifted.
+    /// Throws NumericsError if friction is unstable after the @p last
+    /// correction.
     void
-    check_stability(const BlockVector &before,
-                    const Correction  &last,
-                    const State       &state,
-                    const LoadFactor  &to) const;
+    check_stability(const BlockVector        &before,
+                    const RegularizedTangent &about,
+                    const Correction         &last,
+                    const State              &state,
+                    const LoadFactor         &to) const;
 
     /// Checks whether @p state at load factor @p to is stable without its
     /// springs. Throws NumericsError if it is not, and IllConditioned if it is
@@ -399,15 +401,22 @@ namespace lamella
                  const LoadFactor      &to,
                  Residuals             &residuals,
                  Equilibrium           &at) const;
+    /// Returns true if a correction with the tangent @p about of the iteration
+    /// before is expected to reach the force tolerance, from the residuals
+    /// @p left by the iterations.
+    bool
+    is_accurate_enough(const RegularizedTangent &about,
+                       const ResidualHistory    &left) const;
     /// Pairs surfaces anew that are in contact without a constraint, and
     /// returns false if there are any. Otherwise checks the equilibrium @p at
     /// at load factor @p to, after the displacements @p before and the
     /// correction @p last (MovingContacts::check_kept(), check_stability()).
     bool
-    has_all_pairs(const BlockVector &before,
-                  const Correction  &last,
-                  const LoadFactor  &to,
-                  Equilibrium       &at);
+    has_all_pairs(const BlockVector        &before,
+                  const RegularizedTangent &about,
+                  const Correction         &last,
+                  const LoadFactor         &to,
+                  Equilibrium              &at);
 
     /// Returns true if the forces @p r at displacements @p u are rounding.
     bool
@@ -454,6 +463,8 @@ namespace lamella
     LinearSystem *const linear = nullptr;
     const Structure    &structure;
     MovingContacts      contacts;
+    /// Patterns and symbolic factors that the tangents have in common.
+    const TangentOperator::MatrixStructures matrix_structures;
     /// Displacements at which solve() or restore() left the contacts.
     BlockVector               reached;
     const SolverKind          requested;

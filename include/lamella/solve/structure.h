@@ -220,6 +220,11 @@ namespace lamella
     std::vector<SpringTerm>
     spring_terms(const unsigned int body) const;
 
+    /// Returns the largest diagonal entry of the stiffness of @p body in its
+    /// free DoFs at zero displacements. The first call assembles the matrix.
+    double
+    largest_stiffness(const unsigned int body) const;
+
     /// Returns the unbalanced forces in all DoFs, without contact forces,
     ///   r = f(t) + f_0 - integral B^T C (B u) dV
     ///       - sum_k s_k (r_k(u) - r_0k) r_k^T,
@@ -290,6 +295,8 @@ namespace lamella
     BlockVector                initial_load;
     std::vector<double>        initial_energies;
     std::vector<LoadResultant> resultants;
+    /// Cached largest_stiffness(), 0 if unknown.
+    mutable std::vector<double> stiffest;
   };
 } // namespace lamella
 

@@ -31,6 +31,9 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
+    /// Structure of the matrix of each body (MatrixStructure).
+    using MatrixStructures = std::vector<std::shared_ptr<MatrixStructure>>;
+
     /// Creates the tangent at the displacements @p u and load factor @p factor
     /// without linear solvers, for FullStrategy.
     TangentOperator(const Structure   &structure,
@@ -44,21 +47,31 @@ namespace lamella
     /// Bodies with finite rotations use @p correction, the last one of Newton's
     /// method or empty, to predict the stress of their geometric stiffness. The
     /// solvers include follower loads at load factor @p factor and additional
-    /// springs @p more of each body. Throws IllConditioned if a stiffness is
-    /// not positive definite, and InputError if a solver is not available.
+    /// springs @p more of each body. Matrices with equal patterns have @p
+    /// matrix_structures, one per body or none, in common. Throws
+    /// IllConditioned if a stiffness is not positive definite, and InputError
+    /// if a solver is not available.
     TangentOperator(const Structure   &structure,
                     const BlockVector &u,
                     const SolverKind   requested,
                     const BodyMonitor &monitor    = {},
                     const BlockVector &correction = BlockVector(),
                     const LoadFactor  &factor     = LoadFactor(),
-                    const std::vector<std::vector<SpringTerm>> &more = {});
+                    const std::vector<std::vector<SpringTerm>> &more = {},
+                    const MatrixStructures &matrix_structures        = {});
 
     /// Returns the structure whose tangent stiffness this is.
     const Structure &
     of() const
     {
       return structure;
+    }
+
+    /// Returns the displacements u of this tangent.
+    const BlockVector &
+    displacements() const
+    {
+      return state;
     }
 
     /// Returns the linear equations by which supports constrain an increment of
@@ -128,7 +141,7 @@ namespace lamella
     solve(BlockVector r) const;
 
     /// Returns the largest diagonal entry of the stiffness of @p body in its
-    /// free DoFs. Without solvers, the first call assembles the matrix.
+    /// free DoFs; without solvers, that at zero displacements.
     double
     largest_stiffness(const unsigned int body) const;
 
@@ -162,8 +175,6 @@ namespace lamella
     std::vector<PrescribedFunctional>          moved_rows;
     std::vector<double>                        measured;
     std::vector<std::unique_ptr<RowReduction>> moved_reductions;
-    /// Cached largest_stiffness() if there are no solvers.
-    mutable std::vector<double> stiffest;
   };
 
   /// Returns the tangent stiffness at zero displacements, with solvers.
