@@ -3,6 +3,7 @@
 doc/theory/stable-basis.md and doc/verification/parallel.md; see scripts/measure."""
 
 import itertools
+import json
 import math
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -127,6 +128,26 @@ def cost():
     table(["DoFs", "active rows", "linear solution [s]",
            "condensed: iterations", "contact [s]", "run / linear",
            "full: iterations", "contact [s]", "run / linear"], rows)
+
+
+def methods():
+    """Which method solved the contact problems of all scenes of the last ctest run."""
+    names = ("Newton", "interior point", "compliance")
+    counts = {kind: [0] * 4 for kind in ("linear", "large rotations", "friction, linear",
+                                         "friction, large rotations")}
+    for path in sorted((ROOT / "build" / "tests").rglob("summary.json")):
+        summary = json.loads(path.read_text())
+        problems = summary.get("contact_problems", {})
+        if not any(problems.values()):
+            continue
+        rubs = any("friction" in contact for contact in summary["contacts"].values())
+        large = summary["rotations"] == "large"
+        row = counts[("friction, " if rubs else "") + ("large rotations" if large else "linear")]
+        row[0] += 1
+        for k, name in enumerate(names):
+            row[1 + k] += problems[name]
+    table(["scenes with contact", "runs"] + list(names),
+          [[kind] + row for kind, row in counts.items()])
 
 
 def crossed_mesh(degrees, cells):
@@ -333,7 +354,7 @@ def draw_stability(lengths, curves):
 
 
 def main():
-    tables = {f.__name__: f for f in (variants, shear, penalty, cost, crossed, phases,
+    tables = {f.__name__: f for f in (variants, shear, penalty, cost, methods, crossed, phases,
                                       theories, stability, solids, hanging, calculix,
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
@@ -347,7 +368,7 @@ def main():
     if unknown:
         sys.exit(f"no table {unknown[0]}; there are: {', '.join(tables)}")
     # A million DoFs take minutes and gigabytes: only when asked for.
-    only_asked = ("parallel", "million", "fields", "aims", "hairs", "walls", "compact",
+    only_asked = ("parallel", "methods", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
                   "bars_richer", "corners", "tolerances", "templates", "indentation", "c3d20r", "beyond",
                   "foreseen", "plans", "friction", "rubbing", "punch", "cattaneo",

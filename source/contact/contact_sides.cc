@@ -4,6 +4,7 @@
 #include <lamella/contact/contact_sides.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace lamella
 {
@@ -23,7 +24,7 @@ namespace lamella
     : pair(undeformed.pair)
     , all_bodies(undeformed.all_bodies)
     , undeformed(&undeformed)
-    , u(&u)
+    , u(u)
   {
     if (pair.obstacle == nullptr)
       return;
@@ -122,11 +123,13 @@ namespace lamella
   {
     const unsigned int number  = region(second).body;
     const Body        &body    = *all_bodies[number];
-    const Vector      &of_body = u->block(number);
+    const Vector      &of_body = u.block(number);
     if (body.constraints_rotate())
       return body.displacements(trace_locations(second), of_body);
+    std::vector<unsigned int> nodes(trace_locations(second).size());
+    std::iota(nodes.begin(), nodes.end(), 0);
     std::vector<Tensor<1, 3>> result;
-    for (const auto &row : trace_rows(second))
+    for (const auto &row : trace_rows(second, nodes))
       result.emplace_back(
         Tensor<1, 3>({row[0](of_body), row[1](of_body), row[2](of_body)}));
     return result;
@@ -134,39 +137,30 @@ namespace lamella
 
 
 
+  // Rows that do not rotate are those of the undeformed surface.
   const std::vector<std::vector<LinearFunctional>> &
-  ContactSides::trace_rows(const bool second) const
+  ContactSides::trace_rows(const bool                       second,
+                           const std::vector<unsigned int> &nodes) const
   {
     const unsigned int number = region(second).body;
     const Body        &body   = *all_bodies[number];
     const bool turned = undeformed != nullptr && body.constraints_rotate();
     if (undeformed != nullptr && !turned)
-      return undeformed->trace_rows(second);
-    if (rows[second].empty())
-      rows[second] = body.rows(trace_locations(second),
-                               turned ? u->block(number) : undisplaced);
-    return rows[second];
-  }
-
-
-
-  std::vector<std::vector<LinearFunctional>>
-  ContactSides::trace_rows(const bool                       second,
-                           const std::vector<unsigned int> &numbers) const
-  {
-    const unsigned int number = region(second).body;
-    const Body        &body   = *all_bodies[number];
-    if (undeformed != nullptr && body.constraints_rotate() &&
-        rows[second].empty())
-      {
-        std::vector<Location> at;
-        for (const unsigned int node : numbers)
+      return undeformed->trace_rows(second, nodes);
+    rows[second].resize(trace_locations(second).size());
+    std::vector<unsigned int> missing;
+    std::vector<Location>     at;
+    for (const unsigned int node : nodes)
+      if (rows[second][node].empty())
+        {
+          missing.push_back(node);
           at.push_back(trace_locations(second)[node]);
-        return body.rows(at, u->block(number));
-      }
-    std::vector<std::vector<LinearFunctional>> result;
-    for (const unsigned int node : numbers)
-      result.push_back(trace_rows(second)[node]);
-    return result;
+        }
+    if (missing.empty())
+      return rows[second];
+    const auto found = body.rows(at, turned ? u.block(number) : undisplaced);
+    for (unsigned int k = 0; k < missing.size(); ++k)
+      rows[second][missing[k]] = found[k];
+    return rows[second];
   }
 } // namespace lamella

@@ -229,43 +229,39 @@ namespace lamella
   // Curvature ratio from the gap of the surface over that of its tangent plane,
   // sqrt(R^2 + s^2) - R, at distances s of one to two node spacings.
   double
-  CylinderContactLines::curvature(const Obstacle              &roller,
-                                  const MeshSurface           &surface,
-                                  const MeshSurface           &now,
-                                  const std::vector<Point<3>> &places)
+  CylinderContactLines::curvature(const Obstacle    &roller,
+                                  const MeshSurface &surface,
+                                  const MeshSurface &now,
+                                  const Point<3>    &place)
   {
     constexpr unsigned int samples = 24;
-    double                 largest = 0.;
-    for (const Point<3> &place : places)
-      {
-        const Line line = line_at(surface, roller, station_of(roller, place));
-        if (line.empty())
-          continue;
-        const auto [facet, st]       = nearest_point_on_line(line, now, roller);
-        const MeshSurface::Facet &at = now.facets()[facet];
-        const auto                here = at.map(st);
-        const double              spacing =
-          at.map({st[0], 1.}).position.distance(at.map({st[0], 0.}).position) /
-          at.side.degree_t;
-        // Gap over that of a straight surface, before and behind.
-        std::array<double, 2> left{{1., 1.}};
-        for (const auto &[other, s] : line)
-          for (unsigned int i = 0; i <= samples; ++i)
-            {
-              const Point<3> x =
-                now.facets()[other].map({s, double(i) / samples}).position;
-              const Tensor<1, 3> way = roller.across_axis(x - here.position);
-              if (way.norm() < spacing || way.norm() > 2. * spacing)
-                continue;
-              double &share = left[way * here.d_t > 0.];
-              share         = std::min(
-                share,
-                (roller.across_axis(x - roller.point).norm() - roller.radius) /
-                  (std::hypot(roller.radius, way.norm()) - roller.radius));
-            }
-        largest = std::max(largest, 1. - 0.5 * (left[0] + left[1]));
-      }
-    return largest;
+    const Line line = line_at(surface, roller, station_of(roller, place));
+    if (line.empty())
+      return 0.;
+    const auto [facet, st]         = nearest_point_on_line(line, now, roller);
+    const MeshSurface::Facet &at   = now.facets()[facet];
+    const auto                here = at.map(st);
+    const double              spacing =
+      at.map({st[0], 1.}).position.distance(at.map({st[0], 0.}).position) /
+      at.side.degree_t;
+    // Gap over that of a straight surface, before and behind.
+    std::array<double, 2> left{{1., 1.}};
+    for (const auto &[other, s] : line)
+      for (unsigned int i = 0; i <= samples; ++i)
+        {
+          const Point<3> x =
+            now.facets()[other].map({s, double(i) / samples}).position;
+          const Tensor<1, 3> way = roller.across_axis(x - here.position);
+          if (way.norm() < spacing || way.norm() > 2. * spacing)
+            continue;
+          double &share = left[way * here.d_t > 0.];
+          share =
+            std::min(share,
+                     (roller.across_axis(x - roller.point).norm() -
+                      roller.radius) /
+                       (std::hypot(roller.radius, way.norm()) - roller.radius));
+        }
+    return std::max(0., 1. - 0.5 * (left[0] + left[1]));
   }
 
 

@@ -275,6 +275,8 @@ namespace lamella
     Sums sums(sides, on_second, functions, n_rows);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
+        if (points[q].area == 0.)
+          continue;
         const auto at = master_point(
           sides, on_second, master_points, search_radius, points[q]);
         const auto *then = reference != nullptr && reference->points[q] ?

@@ -13,10 +13,11 @@ namespace lamella
   void
   StepResults::drop_fields()
   {
-    const unsigned int iterations = state.iterations;
-    state                         = State();
-    state.iterations              = iterations;
-    memory                        = StrategyHistory();
+    State kept;
+    kept.iterations = state.iterations;
+    kept.solved_by  = state.solved_by;
+    state           = std::move(kept);
+    memory          = StrategyHistory();
     probes.clear();
     lines.clear();
     cuts.clear();

@@ -55,6 +55,8 @@ namespace boost
       archive &state.free_sizes &state.force &state.active &state.rest &state
         .iterations &state.free_corrections &state.contact_corrections &state
         .pairings;
+      for (unsigned int &number : state.solved_by)
+        archive &number;
       lamella::FrictionState &friction = state.friction;
       archive &friction.shear &friction.direction &friction.before &friction
         .history &friction.path_gap;

@@ -347,6 +347,21 @@ namespace lamella
       add_jumps(results, last, json);
       add_defects(results, last.defects, json);
     }
+
+
+
+    /// Numbers of contact problems that each method solved, over all steps.
+    Json
+    methods_json(const Results &results)
+    {
+      MethodCounts sums{};
+      for (const StepResults &step : results.steps)
+        for (unsigned int m = 0; m < sums.size(); ++m)
+          sums[m] += step.state.solved_by[m];
+      return {{"Newton", sums[0]},
+              {"interior point", sums[1]},
+              {"compliance", sums[2]}};
+    }
   } // namespace
 
 
@@ -360,6 +375,7 @@ namespace lamella
     json["iterations"] = Json::array();
     for (const StepResults &step : results.steps)
       json["iterations"].push_back(step.state.iterations);
+    json["contact_problems"] = methods_json(results);
     if (const Json path = path_json(results); !path.empty())
       json["path"] = path;
     for (const LoadResultant &load : results.loads)

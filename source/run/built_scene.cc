@@ -182,10 +182,16 @@ namespace lamella
     {
       std::vector<ContactInterface> interfaces(contacts.size());
       for (unsigned int k = 0; k < contacts.size(); ++k)
-        if (contacts[k].friction > 0.)
-          const Contact with_slips(contacts[k], bodies, interfaces[k]);
-        else
-          interfaces[k] = make_interface(contacts[k], bodies);
+        {
+          ContactHistory history;
+          if (contacts[k].friction > 0.)
+            const Contact with_slips(contacts[k],
+                                     bodies,
+                                     interfaces[k],
+                                     history);
+          else
+            interfaces[k] = make_interface(contacts[k], bodies);
+        }
       return interfaces;
     }
   } // namespace
@@ -250,11 +256,12 @@ namespace lamella
   BuiltScene::build_contacts()
   {
     contacts.resize(given.contacts.size());
+    undeformed_pairings.resize(given.contacts.size());
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
         ContactPair &contact = given.contacts[k];
-        moving.push_back(
-          std::make_unique<Contact>(contact, whole->bodies(), contacts[k]));
+        moving.push_back(std::make_unique<const Contact>(
+          contact, whole->bodies(), contacts[k], undeformed_pairings[k]));
         contact.discretization = contacts[k].discretization;
         drop_constrained_slips(contacts[k], *whole);
         // Choices that a run may revise are made again by who reads the scene.
@@ -270,7 +277,7 @@ namespace lamella
                                     "Discretization",
                                     name_of(contact.discretization));
       }
-    number_rows();
+    gap_constraints = GapConstraints(contacts);
     check_node_matching(contacts);
     check_conflicts(contacts, whole->bodies());
     check_constrained_overlaps();

@@ -279,7 +279,9 @@ namespace lamella
   {
     auto large = std::make_unique<NonlinearSolver>(
       built->structure(),
-      MovingContacts(built->interfaces(), built->contact_objects()),
+      MovingContacts(built->interfaces(),
+                     built->pairings(),
+                     built->contact_objects()),
       scene().solve.solver,
       scene().solve.nonlinear,
       scene().solve.strategy);
@@ -406,7 +408,7 @@ namespace lamella
   {
     if (!built->structure().has_finite_rotations())
       return;
-    built->number_rows();
+    built->set_interfaces(path->interfaces());
     built->update_pairing_facts(found.contacts);
   }
 

@@ -185,7 +185,7 @@ namespace lamella
             contact.obstacle->shape != Obstacle::Shape::cylinder)
           continue;
         const bool wraps_around = built.contact_objects()[c]->wraps_around(
-                     solved.state.u, solved.load_factor, active),
+                     solved.state.u, solved.load_factor, contact, active),
                    is_line =
                      contact.discretization == Discretization::line_to_roller;
         if (is_line && wraps_around)
@@ -244,7 +244,8 @@ namespace lamella
         const ContactInterface &contact = built.interfaces()[c];
         const auto              penetration =
           built.contact_objects()[c]->cylinder_penetration(solved.state.u,
-                                                           solved.load_factor);
+                                                           solved.load_factor,
+                                                           contact);
         const unsigned int number = penetration && penetration->of_second ?
                                       *contact.second_body :
                                       contact.first_body;
@@ -359,7 +360,8 @@ namespace lamella
         // Contacts of the same surfaces give one warning.
         if (!have_rows.emplace(one, other).second)
           continue;
-        const bool is_automatic = built.contact_objects()[c]->is_automatic();
+        const bool is_automatic =
+          built.contact_objects()[c]->parameters().is_automatic;
         if (is_automatic)
           missing.push_back({c, end->second});
         (is_automatic ? of_missing : warnings)

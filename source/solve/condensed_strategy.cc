@@ -272,6 +272,7 @@ namespace lamella
                                       frictionless(problem, part, small, start);
     check_law(found, has_friction);
 
+    ++solution.solved_by[static_cast<unsigned int>(found.by)];
     solution.is_unstable = found.stability < 0;
     solution.active.clear();
     if (has_friction)

@@ -144,6 +144,9 @@ namespace lamella
     check_law(found, rows.has_friction());
     if (!(found.error < rules.tolerance))
       system.move_to(found.force);
-    return solution_of(problem, rows, found, system.displacement());
+    ContactSolution solution =
+      solution_of(problem, rows, found, system.displacement());
+    ++solution.solved_by[static_cast<unsigned int>(found.by)];
+    return solution;
   }
 } // namespace lamella

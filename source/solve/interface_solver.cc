@@ -422,7 +422,7 @@ namespace lamella
     InterfaceNewton   newton(system, points, monitor, rules);
     InterfaceSolution best;
     best.force       = start;
-    const auto is_it = [&](const char *const by, InterfaceSolution found) {
+    const auto is_it = [&](const InterfaceMethod by, InterfaceSolution found) {
       found.by = by;
       best.offer(found);
       return best.error < rules.tolerance;
@@ -436,10 +436,11 @@ namespace lamella
         best.states = at_start.states;
         return best;
       }
-    if (is_it("Newton", newton.solve(start, rules.first_iterations)) ||
-        is_it("interior point", newton.after_interior_point()))
+    if (is_it(InterfaceMethod::newton,
+              newton.solve(start, rules.first_iterations)) ||
+        is_it(InterfaceMethod::interior_point, newton.after_interior_point()))
       return best;
-    is_it("compliance", newton.by_compliance(best.force));
+    is_it(InterfaceMethod::compliance, newton.by_compliance(best.force));
     return best;
   }
 } // namespace lamella

@@ -47,13 +47,30 @@ namespace lamella
 
 
 
+  // Proportional loads: multiples of the solution at load factor 1, which does
+  // not depend on the load steps before, so that restarts give the same digits.
+  State
+  LinearSystem::solve_free(const LoadFactor &factor)
+  {
+    if (!structure.is_proportional())
+      return refined_solution(factor);
+    if (unit_solution.u.n_blocks() == 0)
+      unit_solution = refined_solution(1.);
+    State state = unit_solution;
+    state.u *= factor.of_scene();
+    for (double &size : state.free_sizes)
+      size *= std::abs(factor.of_scene());
+    return state;
+  }
+
+
+
   // Linear solution without contact by iterative refinement from u = u_p(t).
   State
-  LinearSystem::solve_free(const LoadFactor &factor, const SpringOffsets &rest)
+  LinearSystem::refined_solution(const LoadFactor &factor)
   {
     State state;
-    state.rest = rest;
-    state.u    = structure.particular(factor);
+    state.u = structure.particular(factor);
     state.force.assign(rows.size(), 0.);
     // u = u_p(t) satisfies the supports; corrections are zero in prescribed
     // DoFs.

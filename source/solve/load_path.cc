@@ -144,11 +144,13 @@ namespace lamella
                      TimerOutput                         &timer)
     : solver(std::move(solver))
     , contacts(contacts)
-    , contact_objects(contact_objects)
     , n_supports(n_supports)
     , parameters(parameters)
     , timer(timer)
-  {}
+  {
+    for (const auto &contact : contact_objects)
+      searches.emplace_back(contact->parameters(), this->solver->of().bodies());
+  }
 
 
 
@@ -177,14 +179,17 @@ namespace lamella
 
 
   void
-  LoadStep::check_pairs(const State &state, const LoadFactor &factor) const
+  LoadStep::check_pairs(const State &state, const LoadFactor &factor)
   {
     const GapConstraints &rows = solver->moving().rows();
     for (unsigned int k = 0; k < contacts.size(); ++k)
       {
-        contact_objects[k]->require_found(state.u,
-                                          factor,
-                                          rows.local_rows_of(k, state.active));
+        // The nearest line is found at any distance from the roller.
+        if (contacts[k].discretization != Discretization::line_to_roller)
+          searches[k].check(contacts[k],
+                            state.u,
+                            factor,
+                            rows.local_rows_of(k, state.active));
         if (!state.friction.empty())
           check_small_slip(contacts[k],
                            rows.of_contact(k, state.force),
@@ -203,7 +208,7 @@ namespace lamella
     {
       TimerOutput::Scope scope(timer, name_of(Phase::solve));
       const auto         tangent = solver->tangent_at(state);
-      checks = check_state(*tangent, contacts, n_supports, state, factor);
+      checks = check_state(*tangent, interfaces(), n_supports, state, factor);
       check_solution(state, checks, parameters.rotation_limit);
       if (system == nullptr)
         check_followed(*tangent, factor);
@@ -260,14 +265,18 @@ namespace lamella
     };
     SolvedStep   solved;
     unsigned int iterations = 0, cuts = 0;
+    MethodCounts solved_by{};
     for (unsigned int k = 1; k <= n; ++k)
       {
         solved =
           (*step)(k == 1 ? before : solved.state, part(k - 1), part(k), k == n);
         iterations += solved.state.iterations;
         cuts += solved.cuts;
+        for (unsigned int m = 0; m < solved_by.size(); ++m)
+          solved_by[m] += solved.state.solved_by[m];
       }
     solved.state.iterations = iterations;
+    solved.state.solved_by  = solved_by;
     solved.cuts             = cuts;
     solved.substeps         = n;
     return solved;

@@ -15,25 +15,24 @@ namespace lamella
 
   namespace
   {
-    const std::vector<ContactInterface> no_interfaces;
-    const Contacts                      no_contacts;
+    const Contacts no_contacts;
   } // namespace
 
 
 
-  MovingContacts::MovingContacts(
-    const std::vector<ContactInterface> &interfaces,
-    const Contacts                      &contact_objects)
-    : all(interfaces)
+  MovingContacts::MovingContacts(std::vector<ContactInterface> interfaces,
+                                 std::vector<ContactHistory>   histories,
+                                 const Contacts               &contact_objects)
+    : all(std::move(interfaces))
+    , pairings(std::move(histories))
     , contact_objects(contact_objects)
-    , numbered(interfaces)
+    , numbered(all)
   {}
 
 
 
   MovingContacts::MovingContacts(const GapConstraints &fixed)
-    : all(no_interfaces)
-    , contact_objects(no_contacts)
+    : contact_objects(no_contacts)
     , numbered(fixed)
   {}
 
@@ -89,9 +88,12 @@ namespace lamella
   std::vector<ContactHistory>
   MovingContacts::memory() const
   {
-    std::vector<ContactHistory> known;
-    for (const auto &contact : contact_objects)
-      known.push_back(contact->memory());
+    std::vector<ContactHistory> known = pairings;
+    for (ContactHistory &one : known)
+      {
+        one.lines      = nullptr;
+        one.step_begin = SlipReference();
+      }
     return known;
   }
 
@@ -106,7 +108,7 @@ namespace lamella
       return;
     AssertDimension(known.size(), contact_objects.size());
     for (unsigned int c = 0; c < contact_objects.size(); ++c)
-      contact_objects[c]->restore(known[c], u, factor);
+      all[c] = contact_objects[c]->restore(known[c], u, factor, pairings[c]);
     numbered = GapConstraints(all);
   }
 
@@ -139,8 +141,13 @@ namespace lamella
   void
   MovingContacts::move_rows(State &state, const LoadFactor &factor)
   {
-    for (const auto &contact : contact_objects)
-      contact->move(state.u, factor);
+    for (unsigned int c = 0; c < contact_objects.size(); ++c)
+      all[c] = contact_objects[c]->evaluate(state.u,
+                                            factor,
+                                            std::move(all[c]),
+                                            pairings[c]);
+    if (!contact_objects.empty())
+      numbered = GapConstraints(all);
     std::vector<unsigned int> facing;
     for (const unsigned int row : state.active)
       if (const unsigned int c = numbered.contact_of_row(row).first;
@@ -169,7 +176,7 @@ namespace lamella
       ": a contact point with a force has slid off the other surface. If this "
       "happens at an end of the other body, add a contact of that end with "
       "Discretization = edge to surface.";
-    if (all[c].second_body && contact_objects[c]->is_automatic())
+    if (all[c].second_body && contact_objects[c]->parameters().is_automatic)
       throw MissingEnds("solve.contact-lost: Contact " + all[c].name +
                           " is lost" + how,
                         {{c, !all[c].points_on_second}});
@@ -187,10 +194,10 @@ namespace lamella
     move_rows(state, factor);
     for (unsigned int c = 0; c < contact_objects.size(); ++c)
       {
-        contact_objects[c]->begin_step(state.u, factor);
-        if (contact_objects[c]->is_line() &&
+        contact_objects[c]->begin_step(state.u, factor, pairings[c], all[c]);
+        if (pairings[c].lines != nullptr &&
             contact_objects[c]->wraps_around(
-              state.u, factor, numbered.local_rows_of(c, state.active)))
+              state.u, factor, all[c], numbered.local_rows_of(c, state.active)))
           lost = "Contact " + all[c].name +
                  ", line to roller, is no line: the body bends around '" +
                  all[c].second_name +
@@ -221,13 +228,22 @@ namespace lamella
   {
     for (unsigned int c = 0; c < contact_objects.size(); ++c)
       {
-        std::vector<Tensor<1, 2>> shear;
-        const auto of_rows = numbered.of_contact(c, state.friction.shear);
-        for (unsigned int k = 0; k < of_rows.size(); ++k)
-          shear.push_back(along_tangents(all[c].rows[k], of_rows[k]));
-        if (!contact_objects[c]->add_forces_at(
-              u, factor, numbered.of_contact(c, state.force), shear, f))
-          return false;
+        const auto force  = numbered.of_contact(c, state.force);
+        const auto shears = numbered.of_contact(c, state.friction.shear);
+        const ContactInterface there = contact_objects[c]->evaluate_loaded(
+          u, factor, all[c], pairings[c], force);
+        for (unsigned int k = 0; k < force.size(); ++k)
+          {
+            if (force[k] == 0.)
+              continue;
+            if (there.rows[k].parts.empty())
+              return false;
+            Tensor<1, 3> shear;
+            if (!state.friction.empty())
+              shear = in_scene(there.rows[k],
+                               along_tangents(all[c].rows[k], shears[k]));
+            add_force(there.rows[k], force[k], shear, f);
+          }
       }
     return true;
   }
@@ -267,15 +283,20 @@ namespace lamella
     bool any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
-        const auto active = numbered.local_rows_of(c, state.active);
-        const bool switches =
-          contact_objects[c]->is_line() &&
-          contact_objects[c]->wraps_around(state.u, factor, active) &&
-          contact_objects[c]->switch_to_points();
-        if (!switches && contact_objects[c]
-                             ->pairing_is_valid(state.u, factor, active)
-                             .missing_constraints == 0)
+        // evaluate() finds the points next to a roller; a line on it becomes an
+        // arc when the surface wraps around it.
+        const bool is_line = pairings[c].lines != nullptr;
+        if (is_line ? !contact_objects[c]->parameters().is_automatic ||
+                        !contact_objects[c]->wraps_around(
+                          state.u,
+                          factor,
+                          all[c],
+                          numbered.local_rows_of(c, state.active)) :
+                      contact_objects[c]->count_missing_constraints(
+                        state.u, factor, all[c]) == 0)
           continue;
+        if (is_line)
+          pairings[c].discretization = Discretization::surface_to_surface;
         any = true;
         pair(c, state, factor);
       }
@@ -368,7 +389,7 @@ namespace lamella
   {
     try
       {
-        contact_objects[c]->pair(state.u, factor);
+        all[c] = contact_objects[c]->pair(state.u, factor, pairings[c]);
       }
     catch (const InputError &)
       {

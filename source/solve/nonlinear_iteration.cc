@@ -113,6 +113,8 @@ namespace lamella
         if (round.counts)
           check_rounds(strategy, ++rounds, round.changed);
       });
+    for (unsigned int k = 0; k < found.solved_by.size(); ++k)
+      state.solved_by[k] += found.solved_by[k];
     store_forces(rows, found, state);
     return found;
   }

@@ -68,14 +68,14 @@ namespace lamella
 
 
   NonlinearSolver::NonlinearSolver(const Structure           &structure,
-                                   const MovingContacts      &contacts,
+                                   MovingContacts             contacts,
                                    const SolverKind           requested,
                                    const NonlinearParameters &parameters,
                                    const Strategy             strategy)
     : progress([](const std::string &) {})
     , describe(number_of_row)
     , structure(structure)
-    , contacts(contacts)
+    , contacts(std::move(contacts))
     , matrix_structures(structures_of(structure))
     , requested(requested)
     , parameters(parameters)
@@ -123,15 +123,6 @@ namespace lamella
 
 
 
-  BlockVector
-  NonlinearSolver::condensed(const TangentOperator &here, BlockVector r)
-  {
-    here.condense(r);
-    return r;
-  }
-
-
-
   // Relative residual |G^T r| / max(|f_int - B^T lambda|, |f|), Euclidean
   // norms, and the violation of the contact law. Residuals below the rounding
   // of the initial forces count as zero.
@@ -146,8 +137,9 @@ namespace lamella
     BlockVector       internal = load;
     contacts.add_forces(at.state, internal);
     internal -= r;
-    const BlockVector left = condensed(here, r);
-    const double      norm = left.l2_norm();
+    BlockVector left = r;
+    here.condense(left);
+    const double norm = left.l2_norm();
     // A step that begins without any force, with a moving obstacle only, takes
     // the first residual as reference.
     if (began == 0.)
@@ -447,10 +439,12 @@ namespace lamella
     const double change   = length_of(last.du);
     const bool   balances = is_equilibrium(residuals.forces, change);
     at.rounding           = balances && at.residual > 0. ? 0. : change;
+    BlockVector left      = r;
+    here.condense(left);
     return satisfies_contact_law(residuals.gaps, state, to) &&
            last.released.is_done &&
-           (balances || (is_negligible(last.du) &&
-                         is_rounding(here, condensed(here, r), state.u)));
+           (balances ||
+            (is_negligible(last.du) && is_rounding(here, left, state.u)));
   }
 
 
@@ -555,9 +549,9 @@ namespace lamella
   {
     if (linear != nullptr)
       return {step(to, false, at)};
-    const Equilibrium before   = at;
-    const auto        pairings = contacts.memory();
-    StepOutcome       outcome;
+    const Equilibrium                 before   = at;
+    const std::vector<ContactHistory> pairings = contacts.memory();
+    StepOutcome                       outcome;
     for (const bool predicted : {true, false})
       {
         try
@@ -578,8 +572,10 @@ namespace lamella
         if (!contacts.reason_of_loss().empty())
           outcome.lost_contact = contacts.reason_of_loss();
         const unsigned int iterations = at.state.iterations;
+        const MethodCounts solved_by  = at.state.solved_by;
         at                            = before;
         at.state.iterations           = iterations;
+        at.state.solved_by            = solved_by;
         contacts.restore(pairings, at.state.u, at.factor);
       }
     return outcome;
@@ -661,6 +657,7 @@ namespace lamella
   {
     Equilibrium at      = start;
     at.state.iterations = at.cuts = 0;
+    at.state.solved_by            = {};
     // Completed fraction of the increment, and fraction of the next step.
     double done = 0., way = 1.;
     while (way * largest_rotation(start.factor, to) > parameters.rotation)

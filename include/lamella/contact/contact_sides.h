@@ -91,13 +91,10 @@ namespace lamella
     const std::vector<Location> &
     trace_locations(const bool second) const;
     /// Returns for each trace node of the first or @p second surface its three
-    /// displacement components as functionals of (increments of) the DoFs.
+    /// displacement components as functionals of (increments of) the DoFs. Only
+    /// entries of @p nodes, and of earlier calls, are set.
     const std::vector<std::vector<LinearFunctional>> &
-    trace_rows(const bool second) const;
-    /// Returns the displacement functionals of the trace nodes @p numbers only.
-    std::vector<std::vector<LinearFunctional>>
-    trace_rows(const bool                       second,
-               const std::vector<unsigned int> &numbers) const;
+    trace_rows(const bool second, const std::vector<unsigned int> &nodes) const;
 
   private:
     /// Returns @p points of a surface, moved to their current positions.
@@ -117,7 +114,7 @@ namespace lamella
     ContactPair                     pair;
     const Bodies                   &all_bodies;
     const ContactSides             *undeformed = nullptr;
-    const BlockVector              *u          = nullptr;
+    BlockVector                     u; ///< Empty if undeformed.
     std::shared_ptr<const Obstacle> standing;
 
     mutable std::array<std::unique_ptr<const MeshSurface>, 2>         surfaces;

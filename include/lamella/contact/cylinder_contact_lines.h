@@ -79,16 +79,17 @@ namespace lamella
            const Obstacle        &roller,
            std::vector<GapPoint> &points) const;
 
-    /// Returns the largest ratio of the curvature of the deformed surface @p
-    /// now to that of @p roller, on contact lines through the undeformed points
-    /// @p places of @p surface. It is computed from the gaps one node spacing
-    /// before and behind the closest point. For ratios above 1, the surface
-    /// wraps around the roller, and no equilibrium has a single contact line.
+    /// Returns the ratio of the curvature of the deformed surface @p now to
+    /// that of @p roller, on the contact line through the undeformed point @p
+    /// place of @p surface. It is computed from the gaps one node spacing
+    /// before and behind the closest point; at least 0. For ratios above 1, the
+    /// surface wraps around the roller, and no equilibrium has a single contact
+    /// line.
     static double
-    curvature(const Obstacle                      &roller,
-              const MeshSurface                   &surface,
-              const MeshSurface                   &now,
-              const std::vector<dealii::Point<3>> &places);
+    curvature(const Obstacle         &roller,
+              const MeshSurface      &surface,
+              const MeshSurface      &now,
+              const dealii::Point<3> &place);
 
     /// Returns the deepest penetration into @p roller on lines through all
     /// nodes of @p surface, deformed as @p now, among points whose normal

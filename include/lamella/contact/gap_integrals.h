@@ -52,13 +52,13 @@ namespace lamella
   /// is the second surface if @p on_second, else the first. @p functions are
   /// the multiplier functions; if null, constraint k has point k only.
   ///
-  /// MasterPoints::projected replaces the opposite points in @p points by
-  /// closest-point projections within @p search_radius [length], and omits
-  /// points without a projection. The gap is g = n_2 . (x_1 - x_2) with the
-  /// exact gradient n . (delta x_2 - delta x_1), n = -n_2. MasterPoints::paired
-  /// uses n = (n_1 - n_2) / |n_1 - n_2| and g = n . (x_2 - x_1); this gradient
-  /// is exact if x_2 - x_1 is along n. x_1, n_1 are the point and outward
-  /// normal of the slave, x_2, n_2 of the master.
+  /// Points without area are omitted. MasterPoints::projected replaces the
+  /// opposite points in @p points by closest-point projections within @p
+  /// search_radius [length], and omits points without a projection. The gap is
+  /// g = n_2 . (x_1 - x_2) with the exact gradient n . (delta x_2 - delta x_1),
+  /// n = -n_2. MasterPoints::paired uses n = (n_1 - n_2) / |n_1 - n_2| and g =
+  /// n . (x_2 - x_1); this gradient is exact if x_2 - x_1 is along n. x_1, n_1
+  /// are the point and outward normal of the slave, x_2, n_2 of the master.
   ///
   /// Slips are measured from the beginning @p reference of the load step. A
   /// constraint without any projection has the slip of its points at the begin

@@ -49,7 +49,7 @@ namespace lamella
   struct SlipReference
   {
     /// Surfaces at the beginning of the step; null before the first step.
-    std::unique_ptr<const ContactSides> sides;
+    std::shared_ptr<const ContactSides> sides;
     SlipReferencePoints                 points; ///< Facing points there.
   };
 

@@ -93,10 +93,12 @@ namespace lamella
       return gap_constraints;
     }
 
-    /// Updates the indices in rows() after contact points were paired anew.
+    /// Replaces the constraints of the contacts by @p current, those of the
+    /// last load step, with the indices in rows().
     void
-    number_rows()
+    set_interfaces(std::vector<ContactInterface> current)
     {
+      contacts        = std::move(current);
       gap_constraints = GapConstraints(contacts);
     }
 
@@ -105,11 +107,17 @@ namespace lamella
     void
     update_pairing_facts(std::vector<ContactSummary> &found) const;
 
-    /// Returns the contacts, which update interfaces() if points slide far.
+    /// Returns the contacts, which evaluate constraints at displacements.
     const Contacts &
     contact_objects() const
     {
       return moving;
+    }
+    /// Returns the pairing of each contact on the undeformed bodies.
+    const std::vector<ContactHistory> &
+    pairings() const
+    {
+      return undeformed_pairings;
     }
 
     /// Returns the object that evaluates fields at probes, lines and cuts.
@@ -192,6 +200,7 @@ namespace lamella
     std::unique_ptr<Structure>    whole;
     std::vector<ContactInterface> contacts;
     GapConstraints                gap_constraints;
+    std::vector<ContactHistory>   undeformed_pairings;
     Contacts                      moving;
     /// Notes from the choice of section functions.
     std::vector<std::string> field_notes;

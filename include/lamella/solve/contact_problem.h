@@ -7,6 +7,7 @@
 #include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -43,6 +44,17 @@ namespace lamella
     forces() const;
   };
 
+  /// Methods of solve_interface(), by increasing cost.
+  enum class InterfaceMethod
+  {
+    newton,         ///< Newton's method from the last forces.
+    interior_point, ///< Interior point method, then Newton's method.
+    compliance      ///< Newton's method with decreasing compliance.
+  };
+
+  /// Numbers of problems that each InterfaceMethod has solved.
+  using MethodCounts = std::array<unsigned int, 3>;
+
   /// Solution of a ContactProblem.
   struct ContactSolution
   {
@@ -56,6 +68,8 @@ namespace lamella
     std::vector<dealii::Tensor<1, 2>> shear = {};
     /// Unit direction of the shear force where a point slips, else zero.
     std::vector<dealii::Tensor<1, 2>> direction = {};
+    /// Methods that solved the laws of working sets.
+    MethodCounts solved_by{};
     /// True if the friction solution is unstable
     /// (InterfaceSolution::stability): no load path leads to it, and it must be
     /// rejected.

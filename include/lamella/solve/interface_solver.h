@@ -44,9 +44,9 @@ namespace lamella
     /// Sign of the determinant of the matrix that maps contact forces to the
     /// gaps and sticking slips of closed points: -1 for an unstable solution,
     /// which no load path reaches; 1 if no point is closed.
-    int          stability = 1;
-    std::string  by;             ///< Method that found the solution.
-    unsigned int iterations = 0; ///< Number of linear systems solved.
+    int             stability  = 1;
+    InterfaceMethod by         = InterfaceMethod::newton; ///< Last method used.
+    unsigned int    iterations = 0; ///< Number of linear systems solved.
 
     /// Replaces this solution by @p found if that has a smaller error, and adds
     /// up the iterations.

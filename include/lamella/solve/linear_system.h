@@ -37,9 +37,9 @@ namespace lamella
 
     /// Returns the linear solution at load factor @p factor without contact,
     /// refined by at least one correction. Stabilizing springs have no force
-    /// at the offsets @p rest. Throws NumericsError if it is not finite.
+    /// at zero displacements. Throws NumericsError if it is not finite.
     State
-    solve_free(const LoadFactor &factor, const SpringOffsets &rest = {});
+    solve_free(const LoadFactor &factor);
 
     /// Refines displacements and forces of @p state with its active set. If a
     /// force becomes tensile, as in dependent constraints, whose forces are not
@@ -115,6 +115,10 @@ namespace lamella
     }
 
   private:
+    /// Performs solve_free() by a solution of the linear equations.
+    State
+    refined_solution(const LoadFactor &factor);
+
     /// Returns -(g + a lambda) of each gap g in @p closed, and minus each slip.
     Vector
     law_residual(const State             &state,
@@ -145,6 +149,8 @@ namespace lamella
     const GapConstraints                         rows;
     const NonlinearParameters                    parameters;
     const std::unique_ptr<ContactStrategy>       strategy;
+    /// Solution without contact at load factor 1, if loads are proportional.
+    State unit_solution;
   };
 } // namespace lamella
 

@@ -4,6 +4,7 @@
 #define lamella_solve_load_path_h
 
 #include <lamella/contact/contact.h>
+#include <lamella/contact/search_check.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/parameters.h>
@@ -59,7 +60,7 @@ namespace lamella
   {
   public:
     /// Creates the load step of a scene with @p n_supports supports. @p
-    /// contacts are the constraints of its contacts @p contact_objects.
+    /// contacts are the initial constraints of its contacts @p contact_objects.
     LoadStep(std::unique_ptr<NonlinearSolver>     solver,
              const std::vector<ContactInterface> &contacts,
              const Contacts                      &contact_objects,
@@ -83,6 +84,14 @@ namespace lamella
     Checks
     check(const State &state, const LoadFactor &factor, const bool last = true);
 
+    /// Returns the constraints of the contacts after the last solution.
+    const std::vector<ContactInterface> &
+    interfaces() const
+    {
+      return solver->linear_system() != nullptr ? contacts :
+                                                  solver->moving().interfaces();
+    }
+
     /// Continues an interrupted run from the state @p last at @p factor.
     void
     resume_from(const State &last, const LoadFactor &factor)
@@ -94,11 +103,11 @@ namespace lamella
     /// Throws if the constant constraints of the contacts are not valid for @p
     /// state at load factor @p factor.
     void
-    check_pairs(const State &state, const LoadFactor &factor) const;
+    check_pairs(const State &state, const LoadFactor &factor);
 
     const std::unique_ptr<NonlinearSolver> solver;
     const std::vector<ContactInterface>   &contacts;
-    const Contacts                        &contact_objects;
+    std::vector<SearchCheck>               searches;
     const unsigned int                     n_supports;
     const SolveParameters                 &parameters;
     dealii::TimerOutput                   &timer;
@@ -171,6 +180,13 @@ namespace lamella
     /// earlier on the path. Recomputes states that are missing after resume().
     SolvedStep
     branch(const double factor, const unsigned int load_step);
+
+    /// Returns the constraints of the contacts after the last solution.
+    const std::vector<ContactInterface> &
+    interfaces() const
+    {
+      return step->interfaces();
+    }
 
     /// Returns the checks of the last completed load step, evaluated again.
     Checks

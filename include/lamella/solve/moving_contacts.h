@@ -35,13 +35,19 @@ namespace lamella
   /// All contacts of a scene with finite rotations. Constraints follow the
   /// displacements, and surfaces are paired anew if they touch without a
   /// constraint. Slips are measured from the start of the load step, and shear
-  /// forces rotate with the tangents. Modifies the constraints of Contact.
+  /// forces rotate with the tangents. Owns the constraints and their pairings.
   class MovingContacts
   {
   public:
-    /// Keeps references to the Contact objects and their constraints.
-    MovingContacts(const std::vector<ContactInterface> &interfaces,
-                   const Contacts                      &contact_objects);
+    /// Starts with the constraints @p interfaces and their pairings @p
+    /// histories. Keeps a reference to the Contact objects.
+    MovingContacts(std::vector<ContactInterface> interfaces,
+                   std::vector<ContactHistory>   histories,
+                   const Contacts               &contact_objects);
+    /// Not copyable, since the numbering refers to the constraints.
+    MovingContacts(const MovingContacts &) = delete;
+    /// Moves the constraints, which keep their addresses.
+    MovingContacts(MovingContacts &&) = default;
     /// Creates contacts with the constraints @p fixed, which do not follow the
     /// displacements, for small rotations.
     explicit MovingContacts(const GapConstraints &fixed);
@@ -160,9 +166,10 @@ namespace lamella
     void
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
 
-    const std::vector<ContactInterface> &all;
-    const Contacts                      &contact_objects;
-    GapConstraints                       numbered;
+    std::vector<ContactInterface> all;
+    std::vector<ContactHistory>   pairings;
+    const Contacts               &contact_objects;
+    GapConstraints                numbered;
     /// Contacts with deactivated constraints; text of reason_of_loss().
     std::set<unsigned int> release;
     std::string            lost;

@@ -86,7 +86,7 @@ namespace lamella
     /// Creates a solver with @p contacts, which are left at the last state.
     /// Their linearized problems are solved by @p strategy.
     NonlinearSolver(const Structure           &structure,
-                    const MovingContacts      &contacts,
+                    MovingContacts             contacts,
                     const SolverKind           requested,
                     const NonlinearParameters &parameters,
                     const Strategy             strategy = Strategy::condensed);
@@ -135,6 +135,13 @@ namespace lamella
     /// of linear structures, the constant one.
     std::shared_ptr<const TangentOperator>
     tangent_at(const State &state) const;
+
+    /// Returns the structure whose equilibrium is solved for.
+    const Structure &
+    of() const
+    {
+      return structure;
+    }
 
     /// Returns the constant equations of a linear structure, or null.
     LinearSystem *
@@ -351,10 +358,6 @@ namespace lamella
     /// Returns loads plus contact forces minus internal forces in all DoFs.
     BlockVector
     unbalanced(const State &state, const LoadFactor &factor) const;
-
-    /// Returns the unbalanced forces @p r, condensed onto the free DoFs.
-    static BlockVector
-    condensed(const TangentOperator &here, BlockVector r);
 
     /// Stores in @p at, and reports, the relative norm of the unbalanced forces
     /// @p r and the error of the contact law at load factor @p factor. @p began

@@ -5,6 +5,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/contact/contact.h>
+#include <lamella/solve/contact_problem.h>
 #include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
@@ -37,6 +38,8 @@ namespace lamella
 
     /// Number of Newton iterations; of linear bodies, of contact rounds.
     unsigned int iterations = 0;
+    /// Methods that solved the contact problems of the load step.
+    MethodCounts solved_by{};
     /// Relative maximum norms of the corrections by iterative refinement
     /// without contact. The first one is the rounding error of the assembled
     /// matrix.

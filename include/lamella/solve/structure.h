@@ -165,6 +165,14 @@ namespace lamella
     bool
     is_heated() const;
 
+    /// Returns true if all loads and prescribed displacements are proportional
+    /// to the load factor of the scene, for linear structures.
+    bool
+    is_proportional() const
+    {
+      return histories.size() == 1 && !is_heated();
+    }
+
     /// Returns true if any body has finite rotations.
     bool
     has_finite_rotations() const;
