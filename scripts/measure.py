@@ -136,7 +136,10 @@ def methods():
     counts = {kind: [0] * 4 for kind in ("linear", "large rotations", "friction, linear",
                                          "friction, large rotations")}
     for path in sorted((ROOT / "build" / "tests").rglob("summary.json")):
-        summary = json.loads(path.read_text())
+        try:
+            summary = json.loads(path.read_text())
+        except ValueError:  # damaged on purpose by a test
+            continue
         problems = summary.get("contact_problems", {})
         if not any(problems.values()):
             continue

@@ -301,10 +301,12 @@ namespace lamella
       }
     else
       interface = pair_undeformed(history);
-    history.points = known.points;
+    const std::vector<GapPoint> points =
+      known.points.empty() ? points_of(interface) : known.points;
+    history.points = points;
     interface      = evaluate(u, factor, std::move(interface), history);
     // Repeated projections differ by rounding from the stored ones.
-    history.points = known.points;
+    history.points = points;
     return interface;
   }
 

@@ -214,7 +214,7 @@ namespace lamella
 
 
 
-  // Called by every move, so that gaps are those of the nearest points.
+  // Called by every evaluation, so that gaps are those of the nearest points.
   void
   CylinderContactLines::follow(const MeshSurface     &now,
                                const Obstacle        &roller,

@@ -13,15 +13,15 @@
 
 namespace lamella
 {
-  /// Ordering and symbolic factor of CHOLMOD, with the places of the nonzero
+  /// Ordering and symbolic factor of CHOLMOD, with the positions of the nonzero
   /// entries to which they belong.
   class SymbolicFactor
   {
   public:
     /// Analyzes the pattern of @p A.
     explicit SymbolicFactor(cholmod_sparse &A)
-      : start(places(A.p, A.ncol + 1))
-      , rows(places(A.i, start.back()))
+      : start(positions(A.p, A.ncol + 1))
+      , rows(positions(A.i, start.back()))
     {
       start_cholmod(common);
       factor = cholmod_l_analyze(&A, &common);
@@ -30,6 +30,7 @@ namespace lamella
           cholmod_l_finish(&common);
           throw std::bad_alloc();
         }
+      cholmod_l_free_work(&common);
     }
     SymbolicFactor(const SymbolicFactor &) = delete;
     ~SymbolicFactor()
@@ -48,9 +49,9 @@ namespace lamella
       common.print      = 0;
     }
 
-    /// Returns true if @p A has entries at the same places.
+    /// Returns true if @p A has entries at the same positions.
     bool
-    is_of(const cholmod_sparse &A) const
+    has_pattern_of(const cholmod_sparse &A) const
     {
       return start.size() == A.ncol + 1 &&
              std::equal(start.begin(), start.end(), integers(A.p)) &&
@@ -71,13 +72,13 @@ namespace lamella
       return static_cast<const SuiteSparse_long *>(array);
     }
     static std::vector<DofIndex>
-    places(const void *const array, const std::size_t n)
+    positions(const void *const array, const std::size_t n)
     {
       return {integers(array), integers(array) + n};
     }
 
     const std::vector<DofIndex> start, rows;
-    mutable cholmod_common      common;
+    cholmod_common              common;
     cholmod_factor             *factor = nullptr;
   };
 
@@ -188,7 +189,8 @@ namespace lamella
 
 
 
-    /// The symbolic factor of @p A: a copy of that in @p symbolic if it fits.
+    /// Returns the symbolic factor of @p A; a copy of that in @p symbolic if
+    /// that has the same pattern.
     cholmod_factor *
     analyzed(cholmod_sparse                        &A,
              std::shared_ptr<const SymbolicFactor> *symbolic,
@@ -196,7 +198,7 @@ namespace lamella
     {
       if (symbolic == nullptr)
         return cholmod_l_analyze(&A, &common);
-      if (*symbolic == nullptr || !(*symbolic)->is_of(A))
+      if (*symbolic == nullptr || !(*symbolic)->has_pattern_of(A))
         *symbolic = std::make_shared<const SymbolicFactor>(A);
       return (*symbolic)->copy(common);
     }
@@ -216,11 +218,11 @@ namespace lamella
       SymbolicFactor::start_cholmod(common);
 
       cholmod_sparse *A = lower_triangle(matrix, common);
-      factor            = analyzed(*A, symbolic, common);
-      if (factor == nullptr)
-        throw std::bad_alloc();
       try
         {
+          factor = analyzed(*A, symbolic, common);
+          if (factor == nullptr)
+            throw std::bad_alloc();
           if (monitor)
             monitor(
               {double(factor->xsize), 8. * (factor->xsize + factor->maxcsize)});

@@ -64,11 +64,8 @@ namespace lamella
       factorize(const std::string   &what,
                 const FactorMonitor &monitor) const override
       {
-        return lamella::factorize(matrix,
-                                  what,
-                                  monitor,
-                                  structure == nullptr ? nullptr :
-                                                         &structure->factor);
+        return lamella::factorize(
+          matrix, what, monitor, shared == nullptr ? nullptr : &shared->factor);
       }
 
       void
@@ -79,7 +76,7 @@ namespace lamella
       }
 
     private:
-      std::shared_ptr<MatrixStructure>       structure;
+      std::shared_ptr<MatrixPattern>         shared;
       std::shared_ptr<const SparsityPattern> pattern;
       Matrix                                 matrix;
     };
@@ -108,7 +105,7 @@ namespace lamella
       return pattern;
     }
 
-    /// DoFs of each constraint and spring, with their number.
+    /// Returns the DoFs of each constraint and spring, with their number.
     std::vector<DofIndex>
     couplings_of(const StiffnessTerms &terms, const Constraints &constraints)
     {
@@ -133,14 +130,14 @@ namespace lamella
 
     SerialStiffness::SerialStiffness(const StiffnessTerms &terms,
                                      const Constraints    &constraints)
-      : structure(terms.structure)
+      : shared(terms.has_loads ? nullptr : terms.shared)
     {
       std::vector<DofIndex> couplings;
-      if (structure != nullptr)
+      if (shared != nullptr)
         couplings = couplings_of(terms, constraints);
-      if (structure != nullptr && structure->pattern != nullptr &&
-          structure->couplings == couplings)
-        pattern = structure->pattern;
+      if (shared != nullptr && shared->pattern != nullptr &&
+          shared->couplings == couplings)
+        pattern = shared->pattern;
       else
         {
           auto made = std::make_shared<SparsityPattern>();
@@ -148,10 +145,10 @@ namespace lamella
           made->copy_from(pattern_of(terms, constraints));
           pattern = std::move(made);
         }
-      if (structure != nullptr)
+      if (shared != nullptr)
         {
-          structure->couplings = std::move(couplings);
-          structure->pattern   = pattern;
+          shared->couplings = std::move(couplings);
+          shared->pattern   = pattern;
         }
       matrix.reinit(*pattern);
 

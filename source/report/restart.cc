@@ -163,7 +163,7 @@ namespace boost
     serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
     {
       // To be incremented with each change of what is stored.
-      constexpr unsigned int layout = 4;
+      constexpr unsigned int layout = 5;
       unsigned int           found  = layout;
       archive               &found;
       if (found != layout)

@@ -350,7 +350,7 @@ namespace lamella
 
 
 
-    /// Numbers of contact problems that each method solved, over all steps.
+    /// Returns the numbers of solutions of the contact laws by each method.
     Json
     methods_json(const Results &results)
     {

@@ -211,7 +211,7 @@ namespace lamella
     if (scene().find_first_failure)
       find_first_failure();
     if (solver != nullptr)
-      for (const std::string &warning : solver->warnings())
+      for (const std::string &warning : solver->contact_strategy().warnings())
         found.endnotes.push_back(warning);
     found.converged = true;
     record_costs();
@@ -248,12 +248,14 @@ namespace lamella
     path->watch([this](const SolvedStep &one,
                        const SolvedStep &other,
                        const State      &before) {
+      update_interfaces();
       return recorder->change_of_goals(one, other, before);
     });
     if (found.steps.empty())
       return;
     path->resume(found.steps.size(), found.last().state);
-    renumber_rows();
+    update_interfaces();
+    built->update_pairing_facts(found.contacts);
   }
 
 
@@ -263,7 +265,7 @@ namespace lamella
   {
     make_solver(budget);
     if (!found.steps.empty())
-      solver->restore(found.last().memory);
+      solver->contact_strategy().restore(found.last().memory);
     auto linear =
       std::make_unique<NonlinearSolver>(*solver, scene().solve.nonlinear);
     linear->describe = [this](const unsigned int row) {
@@ -381,7 +383,8 @@ namespace lamella
   {
     const State      previous = path->state();
     const SolvedStep solved   = path->advance();
-    renumber_rows();
+    update_interfaces();
+    built->update_pairing_facts(found.contacts);
     if (solved.change)
       out << "  in " << solved.substeps << " substeps; half as many differ by "
           << to_text(100. * *solved.change, 2) << " %" << std::endl;
@@ -389,7 +392,7 @@ namespace lamella
       TimerOutput::Scope scope(timer, name_of(Phase::output));
       found.steps.push_back(recorder->record(path->n_done(), solved, previous));
       if (solver != nullptr)
-        found.steps.back().memory = solver->memory();
+        found.steps.back().memory = solver->contact_strategy().memory();
       recorder->add_measures(found);
     }
     if (!observer)
@@ -404,12 +407,10 @@ namespace lamella
 
 
   void
-  Simulation::renumber_rows()
+  Simulation::update_interfaces()
   {
-    if (!built->structure().has_finite_rotations())
-      return;
-    built->set_interfaces(path->interfaces());
-    built->update_pairing_facts(found.contacts);
+    if (built->structure().has_finite_rotations())
+      built->set_interfaces(path->interfaces());
   }
 
 
@@ -423,8 +424,9 @@ namespace lamella
       [&](const double             factor,
           const unsigned int       load_step,
           std::vector<PlyReserve> &plies) {
-        SolvedStep   solved = path->branch(factor, load_step);
-        FailureTrial trial  = recorder->trial(solved, plies);
+        SolvedStep solved = path->branch(factor, load_step);
+        update_interfaces();
+        FailureTrial trial = recorder->trial(solved, plies);
         if (trial.reserve && *trial.reserve <= 1.)
           {
             failing     = std::move(solved);

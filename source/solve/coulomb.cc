@@ -31,10 +31,11 @@ namespace lamella
                                     problem.about);
     const InterfacePoints  exact = system.points(problem.friction);
     InterfaceSolution      best;
-    best.force          = start;
-    PointVectors lambda = start;
-    unsigned int idle   = 0;
-    double       share  = rules.compliance;
+    best.force             = start;
+    PointVectors lambda    = start;
+    unsigned int idle      = 0;
+    auto         costliest = InterfaceMethod::newton;
+    double       share     = rules.compliance;
     for (unsigned int round = 0; round < rules.max_rounds; ++round)
       {
         InterfaceSolution found = solve_interface(
@@ -45,8 +46,7 @@ namespace lamella
         const LawError error = law_error(exact, lambda, system.lengths());
         found.error          = error.largest;
         found.states         = error.states;
-        if (round > 0)
-          found.by = best.by;
+        costliest = found.by = std::max(costliest, found.by);
         best.offer(found);
         idle               = found.error < before ? 0 : idle + 1;
         const bool is_slow = found.error > rules.slow * before,
@@ -59,6 +59,7 @@ namespace lamella
         if (is_slow)
           share = std::max(rules.least_compliance, rules.slow * share);
       }
+    best.by = costliest;
     if (best.stability < 0)
       best.stability =
         stability_at(system,

@@ -55,7 +55,7 @@ namespace lamella
     if (!structure.is_proportional())
       return refined_solution(factor);
     if (unit_solution.u.n_blocks() == 0)
-      unit_solution = refined_solution(1.);
+      unit_solution = refined_solution(factor.of_scene_alone());
     State state = unit_solution;
     state.u *= factor.of_scene();
     for (double &size : state.free_sizes)

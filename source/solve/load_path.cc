@@ -148,8 +148,10 @@ namespace lamella
     , parameters(parameters)
     , timer(timer)
   {
-    for (const auto &contact : contact_objects)
-      searches.emplace_back(contact->parameters(), this->solver->of().bodies());
+    if (this->solver->linear_system() != nullptr)
+      for (const auto &contact : contact_objects)
+        searches.emplace_back(contact->parameters(),
+                              this->solver->of().bodies());
   }
 
 

@@ -25,6 +25,7 @@ namespace lamella
                                  const Contacts               &contact_objects)
     : all(std::move(interfaces))
     , pairings(std::move(histories))
+    , initial_pairings(pairings)
     , contact_objects(contact_objects)
     , numbered(all)
   {}

@@ -217,22 +217,27 @@ namespace lamella
   // The Cholesky factor of the last tangent proves a minimum of the energy;
   // that of the end is formed only if it is far away.
   void
-  NonlinearSolver::check_stability(const BlockVector        &before,
-                                   const RegularizedTangent &about,
-                                   const Correction         &last,
-                                   const State              &state,
-                                   const LoadFactor         &to) const
+  NonlinearSolver::check_stability(const BlockVector  &before,
+                                   RegularizedTangent &about,
+                                   const Correction   &last,
+                                   const State        &state,
+                                   const LoadFactor   &to) const
   {
     if (last.is_unstable)
       throw_unstable();
-    if (linear != nullptr ||
-        (structure.has_springs() && check_supports(state, to)))
+    if (linear != nullptr)
       return;
-    BlockVector way = state.u, beyond = state.u;
+    BlockVector way = state.u, from_tangent = state.u;
     way -= before;
-    beyond -= about.K->displacements();
-    if (about.shift != nullptr ||
-        length_of(beyond) > parameters.converged_step * length_of(way))
+    from_tangent -= about.K->displacements();
+    const bool is_near =
+      about.shift == nullptr &&
+      length_of(from_tangent) <= parameters.converged_step * length_of(way);
+    if (is_near && !structure.has_springs())
+      return;
+    // Frees the memory of its factor for another one.
+    about = RegularizedTangent();
+    if (!(structure.has_springs() && check_supports(state, to)) && !is_near)
       tangent(state, BlockVector(), to);
   }
 

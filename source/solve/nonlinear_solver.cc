@@ -23,18 +23,6 @@ namespace lamella
 {
   namespace
   {
-    /// Empty structures, one per body.
-    TangentOperator::MatrixStructures
-    structures_of(const Structure &structure)
-    {
-      TangentOperator::MatrixStructures all;
-      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-        all.push_back(std::make_shared<MatrixStructure>());
-      return all;
-    }
-
-
-
     std::string
     number_of_row(const unsigned int row)
     {
@@ -76,11 +64,13 @@ namespace lamella
     , describe(number_of_row)
     , structure(structure)
     , contacts(std::move(contacts))
-    , matrix_structures(structures_of(structure))
     , requested(requested)
     , parameters(parameters)
     , strategy(strategy)
-  {}
+  {
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      matrix_patterns.push_back(std::make_shared<MatrixPattern>());
+  }
 
 
 
@@ -258,15 +248,6 @@ namespace lamella
 
 
 
-  bool
-  NonlinearSolver::is_negligible(const BlockVector &way) const
-  {
-    return length_of(way) <=
-           parameters.negligible_correction * structure.size();
-  }
-
-
-
   // Tolerance by displacement and size of the scene, or stagnation.
   bool
   NonlinearSolver::satisfies_contact_law(const ResidualHistory &missed,
@@ -436,25 +417,27 @@ namespace lamella
     residuals.forces.add(at.residual);
     residuals.gaps.add(at.law_error);
     residuals.springs.add(last.released.length);
-    const double change   = length_of(last.du);
-    const bool   balances = is_equilibrium(residuals.forces, change);
-    at.rounding           = balances && at.residual > 0. ? 0. : change;
-    BlockVector left      = r;
+    const double change = length_of(last.du),
+                 negligible =
+                   parameters.negligible_correction * structure.size();
+    const bool balances = is_equilibrium(residuals.forces, change);
+    at.rounding         = balances && at.residual > 0. ? 0. : change;
+    BlockVector left    = r;
     here.condense(left);
     return satisfies_contact_law(residuals.gaps, state, to) &&
            last.released.is_done &&
            (balances ||
-            (is_negligible(last.du) && is_rounding(here, left, state.u)));
+            (change <= negligible && is_rounding(here, left, state.u)));
   }
 
 
 
   bool
-  NonlinearSolver::has_all_pairs(const BlockVector        &before,
-                                 const RegularizedTangent &about,
-                                 const Correction         &last,
-                                 const LoadFactor         &to,
-                                 Equilibrium              &at)
+  NonlinearSolver::has_all_pairs(const BlockVector  &before,
+                                 RegularizedTangent &about,
+                                 const Correction   &last,
+                                 const LoadFactor   &to,
+                                 Equilibrium        &at)
   {
     if (contacts.find_loads(at.state, to))
       return false;
@@ -513,7 +496,8 @@ namespace lamella
         // Rotating rows are off their prescribed values by second-order terms.
         moved = tangent->support_increment(to, to);
         if (is_converged(last, *tangent, r, to, residuals, at) &&
-            is_negligible(moved))
+            length_of(moved) <=
+              parameters.negligible_correction * structure.size())
           {
             is_solution = has_all_pairs(before, about, last, to, at);
             if (is_solution)
@@ -628,7 +612,15 @@ namespace lamella
           restore(before, from);
         start.state  = before;
         start.factor = from;
+        // Iterations have the rounding of positions, and their own pairing.
+        if (linear == nullptr)
+          {
+            start.state.free_sizes.clear();
+            start.state.pairings.clear();
+          }
       }
+    else if (reached.n_blocks() > 0)
+      contacts.restore(contacts.undeformed(), start.state.u, start.factor);
     // Constraints belong to no state during the iterations.
     reached         = BlockVector();
     Equilibrium end = advance(start, to);

@@ -100,7 +100,7 @@ namespace lamella
                                                             correction,
                                                             to,
                                                             more,
-                                                            matrix_structures);
+                                                            matrix_patterns);
           return about;
         }
       catch (const IllConditioned &)

@@ -249,7 +249,7 @@ namespace lamella
     const BlockVector                          &correction,
     const LoadFactor                           &factor,
     const std::vector<std::vector<SpringTerm>> &more,
-    const MatrixStructures                     &matrix_structures)
+    const MatrixPatterns                       &matrix_patterns)
     : TangentOperator(structure, u, factor, correction, more)
   {
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
@@ -260,8 +260,8 @@ namespace lamella
         try
           {
             StiffnessTerms all = terms(b);
-            if (!matrix_structures.empty())
-              all.structure = matrix_structures[b];
+            if (!matrix_patterns.empty())
+              all.shared = matrix_patterns[b];
             solvers.push_back(body.solver_of(all,
                                              reduction(b).constraints(),
                                              requested,

@@ -90,10 +90,10 @@ BOOST_AUTO_TEST_CASE(a_path_that_goes_on_is_the_same_path)
   BlocksInContact  blocks, others;
   LoadPath         path(blocks.step, {0.5, 1.});
   const SolvedStep kept   = path.advance();
-  const auto       memory = blocks.solver->memory();
+  const auto       memory = blocks.solver->contact_strategy().memory();
   const State      whole  = path.advance().state;
   LoadPath         rest(others.step, {0.5, 1.});
-  others.solver->restore(memory);
+  others.solver->contact_strategy().restore(memory);
   rest.resume(1, kept.state);
   BOOST_TEST(rest.n_done() == 1u);
   const State resumed = rest.advance().state;
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
   while (path.has_more())
     {
       if (states.size() == 2)
-        memory = blocks.solver->memory();
+        memory = blocks.solver->contact_strategy().memory();
       states.push_back(path.advance().state);
     }
   // On the way down it is not where it was on the way up.
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(friction_remembers_the_path)
   BOOST_TEST((seen[0] && seen[1]));
 
   LoadPath rest(others.step, {0.5, 1., 0.9, 0.5});
-  others.solver->restore(memory);
+  others.solver->contact_strategy().restore(memory);
   rest.resume(2, states[1]);
   rest.advance();
   const State resumed = rest.advance().state;

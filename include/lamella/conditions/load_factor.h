@@ -75,6 +75,13 @@ namespace lamella
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
+    /// Returns factor 1 for the scene, zero for loads with entry `Factors`.
+    LoadFactor
+    of_scene_alone() const
+    {
+      return {1., std::vector<double>(own.size(), 0.)};
+    }
+
     /// Returns zero factors for everything, including temperatures.
     LoadFactor
     unloaded() const

@@ -11,6 +11,7 @@
 #include <lamella/contact/gap_integrals.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace lamella
@@ -27,7 +28,7 @@ namespace lamella
     Discretization discretization = Discretization::undefined;
     /// Lines of a contact with a roller; null for other contacts.
     std::shared_ptr<const CylinderContactLines> lines = {};
-    /// Begin of the load step, from which slips are measured.
+    /// Beginning of the load step, from which slips are measured.
     SlipReference step_begin = {};
   };
 

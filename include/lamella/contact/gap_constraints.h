@@ -115,8 +115,9 @@ namespace lamella
   /// Discretized contact of one ContactPair: gap constraints, contact points
   /// and weights, created from the undeformed bodies by make_interface(). In
   /// linear kinematics the initially facing points remain paired. For finite
-  /// motion, Contact pairs the surfaces anew and updates the constraints.
-  /// rows[k] and points[k] belong together. Every process has all constraints.
+  /// motion, MovingContacts pairs the surfaces anew and updates the
+  /// constraints. rows[k] and points[k] belong together. Every process has all
+  /// constraints.
   struct ContactInterface
   {
     /// Contact point of a constraint, for output, in scene axes.

@@ -55,10 +55,11 @@ namespace lamella
   /// Sparsity pattern and symbolic factor of a stiffness matrix, which the
   /// matrices of a body at several displacements have in common. Each matrix
   /// uses them if its couplings are equal, and stores its own otherwise.
-  struct MatrixStructure
+  struct MatrixPattern
   {
     /// DoFs of constraints and springs, with the number of each: the part of
-    /// the pattern that may change between matrices of one body.
+    /// the pattern that may change between matrices of one body. Matrices with
+    /// blocks of loads (StiffnessTerms::has_loads) share nothing.
     std::vector<DofIndex>                          couplings;
     std::shared_ptr<const dealii::SparsityPattern> pattern;
     /// Result of CHOLMOD's analysis, for the entries that were not zero.
@@ -77,8 +78,8 @@ namespace lamella
     std::vector<SpringTerm> springs; ///< Springs, equal on all processes.
     /// True if blocks of loads may couple DoFs that share no element.
     bool has_loads = false;
-    /// Structure to use again for equal couplings; may be null.
-    std::shared_ptr<MatrixStructure> structure = {};
+    /// Pattern to use again for equal couplings; may be null.
+    std::shared_ptr<MatrixPattern> shared = {};
   };
 
   /// The assembled stiffness matrix of a body, condensed by the homogeneous

@@ -162,9 +162,10 @@ namespace lamella
     /// Creates the solver of load steps with finite rotations.
     std::unique_ptr<NonlinearSolver>
     make_large_solver(const MemoryBudget &budget);
-    /// Updates the indices of gap constraints after surfaces were paired anew.
+    /// Copies the constraints of the last solution with finite rotations into
+    /// the model.
     void
-    renumber_rows();
+    update_interfaces();
     void
     make_solver(const MemoryBudget &budget);
     /// Returns the factorized stiffness at zero displacements.

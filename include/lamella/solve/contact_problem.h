@@ -52,7 +52,8 @@ namespace lamella
     compliance      ///< Newton's method with decreasing compliance.
   };
 
-  /// Numbers of problems that each InterfaceMethod has solved.
+  /// Number of solutions of the contact laws by each InterfaceMethod; a contact
+  /// problem has one for each of its working sets.
   using MethodCounts = std::array<unsigned int, 3>;
 
   /// Solution of a ContactProblem.
@@ -68,7 +69,7 @@ namespace lamella
     std::vector<dealii::Tensor<1, 2>> shear = {};
     /// Unit direction of the shear force where a point slips, else zero.
     std::vector<dealii::Tensor<1, 2>> direction = {};
-    /// Methods that solved the laws of working sets.
+    /// Methods that solved the contact laws.
     MethodCounts solved_by{};
     /// True if the friction solution is unstable
     /// (InterfaceSolution::stability): no load path leads to it, and it must be

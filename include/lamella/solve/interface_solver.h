@@ -45,7 +45,7 @@ namespace lamella
     /// gaps and sticking slips of closed points: -1 for an unstable solution,
     /// which no load path reaches; 1 if no point is closed.
     int             stability  = 1;
-    InterfaceMethod by         = InterfaceMethod::newton; ///< Last method used.
+    InterfaceMethod by         = InterfaceMethod::newton; ///< Costliest.
     unsigned int    iterations = 0; ///< Number of linear systems solved.
 
     /// Replaces this solution by @p found if that has a smaller error, and adds

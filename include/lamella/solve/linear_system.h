@@ -75,18 +75,6 @@ namespace lamella
     {
       return *strategy;
     }
-    /// Returns the data of the contact strategy that a restarted run needs.
-    StrategyHistory
-    memory() const
-    {
-      return strategy->memory();
-    }
-    /// Restores data of the contact strategy, the result of memory().
-    void
-    restore(const StrategyHistory &memory)
-    {
-      strategy->restore(memory);
-    }
 
     /// Returns the tangent stiffness with its factorizations.
     const TangentOperator &
@@ -105,13 +93,6 @@ namespace lamella
     constraints() const
     {
       return rows;
-    }
-
-    /// Returns warnings of the contact strategy, one sentence each.
-    std::vector<std::string>
-    warnings() const
-    {
-      return strategy->warnings();
     }
 
   private:

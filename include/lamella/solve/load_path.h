@@ -84,7 +84,8 @@ namespace lamella
     Checks
     check(const State &state, const LoadFactor &factor, const bool last = true);
 
-    /// Returns the constraints of the contacts after the last solution.
+    /// Returns the constraints of the contacts; with finite rotations, those of
+    /// the last solution.
     const std::vector<ContactInterface> &
     interfaces() const
     {
@@ -181,7 +182,7 @@ namespace lamella
     SolvedStep
     branch(const double factor, const unsigned int load_step);
 
-    /// Returns the constraints of the contacts after the last solution.
+    /// Returns LoadStep::interfaces().
     const std::vector<ContactInterface> &
     interfaces() const
     {

@@ -75,6 +75,12 @@ namespace lamella
     /// Returns the pairing data of each contact for restore().
     std::vector<ContactHistory>
     memory() const;
+    /// Returns the pairing data of the undeformed bodies for restore().
+    const std::vector<ContactHistory> &
+    undeformed() const
+    {
+      return initial_pairings;
+    }
     /// Restores all contacts from @p known, the result of memory(), at
     /// displacements @p u and load factor @p factor.
     void
@@ -167,7 +173,7 @@ namespace lamella
     pair(const unsigned int c, const State &state, const LoadFactor &factor);
 
     std::vector<ContactInterface> all;
-    std::vector<ContactHistory>   pairings;
+    std::vector<ContactHistory>   pairings, initial_pairings;
     const Contacts               &contact_objects;
     GapConstraints                numbered;
     /// Contacts with deactivated constraints; text of reason_of_loss().

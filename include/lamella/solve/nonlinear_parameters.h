@@ -75,8 +75,9 @@ namespace lamella
     double instability_share = 0.2;
     /// Maximum number of times that surfaces are paired anew in a load step.
     unsigned int max_pairings = 3;
-    /// check_stability() needs no new factorization if the last correction is
-    /// at most this fraction of the displacement increment.
+    /// check_stability() needs no new factorization if the distance from the
+    /// displacements of the last tangent is at most this fraction of the
+    /// increment.
     double converged_step = 0.01;
     /// Largest rotation in an iteration [rad]; a larger increment is scaled.
     double spin = 1.;

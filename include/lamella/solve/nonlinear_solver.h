@@ -67,8 +67,9 @@ namespace lamella
   ///
   /// Iterations end if forces balance, gaps satisfy the law, and no unpaired
   /// surfaces are in contact; unpaired surfaces in contact are paired anew. The
-  /// state is stable if K is then positive definite. Keeps references to
-  /// structure and contacts. Collective.
+  /// state is stable if K is then positive definite. The last tangent is
+  /// kept if is_accurate_enough(). Keeps a reference to the structure.
+  /// Collective.
   class NonlinearSolver
   {
   public:
@@ -127,9 +128,14 @@ namespace lamella
     /// @p before at load factor @p from; empty: the unloaded state. Restores
     /// the contacts of @p before if needed, then calls advance().
     Equilibrium
-    solve(const LoadFactor &to,
-          const State      &before = State(),
-          const LoadFactor &from   = 0.);
+    solve(const LoadFactor &to, const State &before, const LoadFactor &from);
+    /// Returns the equilibrium at @p to of a linear structure, or from the
+    /// unloaded state.
+    Equilibrium
+    solve(const LoadFactor &to, const State &before = State())
+    {
+      return solve(to, before, to.unloaded());
+    }
 
     /// Returns the tangent at the displacements of @p state without solvers;
     /// of linear structures, the constant one.
@@ -259,15 +265,15 @@ namespace lamella
     /// Throws IllConditioned if the regularized tangent of @p state at load
     /// factor @p to is not definite, unless the structure is linear. The
     /// tangent @p about of the last iteration was definite; it suffices if it
-    /// is near, relative to the increment from @p before, and not shifted.
-    /// Throws NumericsError if friction is unstable after the @p last
-    /// correction.
+    /// is near, relative to the increment from @p before, and not shifted,
+    /// otherwise it is freed. Throws NumericsError if friction is unstable
+    /// after the @p last correction.
     void
-    check_stability(const BlockVector        &before,
-                    const RegularizedTangent &about,
-                    const Correction         &last,
-                    const State              &state,
-                    const LoadFactor         &to) const;
+    check_stability(const BlockVector  &before,
+                    RegularizedTangent &about,
+                    const Correction   &last,
+                    const State        &state,
+                    const LoadFactor   &to) const;
 
     /// Checks whether @p state at load factor @p to is stable without its
     /// springs. Throws NumericsError if it is not, and IllConditioned if it is
@@ -415,11 +421,11 @@ namespace lamella
     /// at load factor @p to, after the displacements @p before and the
     /// correction @p last (MovingContacts::check_kept(), check_stability()).
     bool
-    has_all_pairs(const BlockVector        &before,
-                  const RegularizedTangent &about,
-                  const Correction         &last,
-                  const LoadFactor         &to,
-                  Equilibrium              &at);
+    has_all_pairs(const BlockVector  &before,
+                  RegularizedTangent &about,
+                  const Correction   &last,
+                  const LoadFactor   &to,
+                  Equilibrium        &at);
 
     /// Returns true if the forces @p r at displacements @p u are rounding.
     bool
@@ -449,11 +455,6 @@ namespace lamella
                         const LoadFactor  &from,
                         const LoadFactor  &to) const;
 
-    /// Returns true if the displacements @p way are at most
-    /// NonlinearParameters::negligible_correction times the scene diagonal.
-    bool
-    is_negligible(const BlockVector &way) const;
-
     /// Returns true if the last errors @p missed of the contact law are within
     /// tolerance for @p state at load factor @p to. Increases the penalty of a
     /// linear structure if the error decreases slowly.
@@ -467,7 +468,7 @@ namespace lamella
     const Structure    &structure;
     MovingContacts      contacts;
     /// Patterns and symbolic factors that the tangents have in common.
-    const TangentOperator::MatrixStructures matrix_structures;
+    TangentOperator::MatrixPatterns matrix_patterns;
     /// Displacements at which solve() or restore() left the contacts.
     BlockVector               reached;
     const SolverKind          requested;

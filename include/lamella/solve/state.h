@@ -38,7 +38,7 @@ namespace lamella
 
     /// Number of Newton iterations; of linear bodies, of contact rounds.
     unsigned int iterations = 0;
-    /// Methods that solved the contact problems of the load step.
+    /// Methods that solved the contact laws in the load step.
     MethodCounts solved_by{};
     /// Relative maximum norms of the corrections by iterative refinement
     /// without contact. The first one is the rounding error of the assembled

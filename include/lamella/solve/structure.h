@@ -229,7 +229,8 @@ namespace lamella
     spring_terms(const unsigned int body) const;
 
     /// Returns the largest diagonal entry of the stiffness of @p body in its
-    /// free DoFs at zero displacements. The first call assembles the matrix.
+    /// free DoFs at zero displacements. The first call assembles the matrix,
+    /// the result is stored. Collective.
     double
     largest_stiffness(const unsigned int body) const;
 

@@ -31,8 +31,8 @@ namespace lamella
       std::function<void(const Body &, const FactorSize &)> factor_sized;
     };
 
-    /// Structure of the matrix of each body (MatrixStructure).
-    using MatrixStructures = std::vector<std::shared_ptr<MatrixStructure>>;
+    /// Pattern of the matrix of each body.
+    using MatrixPatterns = std::vector<std::shared_ptr<MatrixPattern>>;
 
     /// Creates the tangent at the displacements @p u and load factor @p factor
     /// without linear solvers, for FullStrategy.
@@ -48,7 +48,7 @@ namespace lamella
     /// method or empty, to predict the stress of their geometric stiffness. The
     /// solvers include follower loads at load factor @p factor and additional
     /// springs @p more of each body. Matrices with equal patterns have @p
-    /// matrix_structures, one per body or none, in common. Throws
+    /// matrix_patterns, one per body or none, in common. Throws
     /// IllConditioned if a stiffness is not positive definite, and InputError
     /// if a solver is not available.
     TangentOperator(const Structure   &structure,
@@ -58,7 +58,7 @@ namespace lamella
                     const BlockVector &correction = BlockVector(),
                     const LoadFactor  &factor     = LoadFactor(),
                     const std::vector<std::vector<SpringTerm>> &more = {},
-                    const MatrixStructures &matrix_structures        = {});
+                    const MatrixPatterns &matrix_patterns            = {});
 
     /// Returns the structure whose tangent stiffness this is.
     const Structure &
