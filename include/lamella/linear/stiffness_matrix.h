@@ -60,7 +60,8 @@ namespace lamella
     /// DoFs of constraints and springs, with the number of each: the part of
     /// the pattern that may change between matrices of one body. Matrices with
     /// blocks of loads (StiffnessTerms::has_loads) share nothing.
-    std::vector<DofIndex>                          couplings;
+    std::vector<DofIndex> couplings;
+    /// Sparsity pattern of the condensed matrix; null before the first one.
     std::shared_ptr<const dealii::SparsityPattern> pattern;
     /// Result of CHOLMOD's analysis, for the entries that were not zero.
     std::shared_ptr<const SymbolicFactor> factor;

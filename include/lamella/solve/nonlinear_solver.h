@@ -34,8 +34,8 @@ namespace lamella
   /// Outcome of an attempt to find the equilibrium at a load factor.
   struct StepOutcome
   {
-    bool        converged = false;
-    std::string reason    = {}; ///< Cause of a failure, one sentence.
+    bool        converged = false; ///< True if it was found.
+    std::string reason    = {};    ///< Cause of a failure, one sentence.
     /// Why a contact was lost in the attempt; empty if none was lost.
     std::string lost_contact = {};
   };
