@@ -105,6 +105,8 @@ namespace lamella
       return pattern;
     }
 
+
+
     /// Returns the DoFs of each constraint and spring, with their number.
     std::vector<DofIndex>
     couplings_of(const StiffnessTerms &terms, const Constraints &constraints)
