@@ -1,21 +1,26 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables, sentences and pictures of a trade out of its numbers, DIR/trade.json (doc/guides/convergence-study.md).
+"""Runs the variants of a trade and compares them (doc/guides/convergence-study.md).
 
-Usage: trade.py DIR (by `lamella trade`, which writes that file)
+Usage: trade.py DIR (by `lamella trade`, which writes the variants to DIR/variants/plan.json)
 
-Prints the costs of all variants, their errors with their own bars, and a sentence for each
-tolerance and quantity; leaves trade.csv, trade.py, which draws trade.png and trade.svg and is
-meant to be changed to taste, and these pictures in DIR.
+Runs the variants without results (trade_runs.py). Prints the costs of all variants, their errors
+with their own bars, and a sentence for each tolerance and quantity; leaves in DIR trade.json (all
+numbers), trade.csv, trade.py, which draws trade.png and trade.svg and is meant to be changed to
+taste, and these pictures.
 """
 
 import csv
+import fcntl
 import json
+import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
 
+from trade_runs import InputError, NumericsError, Runs, take_plan
 from trade_table import NoReference, Table, per_cent, text
 
 
@@ -122,27 +127,65 @@ def draw(table, title, folder):
             f"python3-matplotlib, and run {script}")
 
 
-def main():
-    folder = Path(sys.argv[1])
-    with open(folder / "trade.json", encoding="utf-8") as file:
-        trade = json.load(file)
+def make_tables(trade, folder):
+    """Tables, sentences and pictures of the numbers."""
     try:
         table = Table(trade)
-        with open(folder / "trade.csv", "w", newline="", encoding="utf-8") as file:
-            csv.writer(file, lineterminator="\n").writerows(csv_rows(table))
-        print_trade(table)
-        print(trade["remark"], end="")
-        no_picture = draw(table, trade["title"], folder)
     except NoReference as none:
-        print(none, file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"Cannot write {error.filename}. Is the disk full?", file=sys.stderr)
-        return 1
+        raise NumericsError("The reference solution of the trade is missing, so there are no "
+                            f"errors. Cause: {none} [trade.no-reference]") from none
+    with open(folder / "trade.csv", "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows(csv_rows(table))
+    print_trade(table)
+    print(trade["remark"], end="")
+    no_picture = draw(table, trade["title"], folder)
     if no_picture:
         print(f"\nNo pictures: {no_picture}.", end="")
-    print(f"\nThe trade is in {sys.argv[1]} (trade.csv"
+    print(f"\nThe trade is in {folder} (trade.csv"
           + ("" if no_picture else ", trade.png, trade.svg") + "; the runs in variants/)")
+
+
+def run(folder):
+    with open(folder / "trade.lock", "a", encoding="utf-8") as lock:
+        try:
+            fcntl.lockf(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise InputError(f"--output {folder}: another trade writes into this folder. Wait until "
+                             "it ends, or name another folder. [trade.folder-in-use]") from error
+        # Those of an earlier trade would look like this one's.
+        for name in ("trade.json", "trade.csv", "trade.py", "trade.png", "trade.svg"):
+            (folder / name).unlink(missing_ok=True)
+        runs = Runs(take_plan(folder), folder)
+        runs.check_quantities()
+        trade = runs.trade()
+        (folder / "trade.json").write_text(json.dumps(trade, indent=1) + "\n", encoding="utf-8")
+        make_tables(trade, folder)
+
+
+def end_by(signal_number, folder):
+    """Ends this process by the signal, as a shell expects, with what stands in the folder."""
+    print(f"lamella: interrupted. {folder}/variants has the variants before this one. The same "
+          "command goes on with it.", file=sys.stderr, flush=True)
+    signal.signal(signal_number, signal.SIG_DFL)
+    os.kill(os.getpid(), signal_number)
+
+
+def main():
+    folder = Path(sys.argv[1])
+    try:
+        run(folder)
+    except InputError as error:
+        print(f"lamella: {error}", file=sys.stderr)
+        return 1
+    except NumericsError as error:
+        print(f"lamella: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"lamella: cannot write {error.filename}. Check that the disk is not full. "
+              "[base.cannot-write]", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        end_by(signal.SIGINT, folder)
     return 0
 
 

@@ -144,12 +144,7 @@ namespace
   run(const CommandLine &command, const SceneText &text, const Scene &scene)
   {
     if (command.task == CommandLine::Task::trade)
-      return Trade(command.scene,
-                   command.overrides,
-                   scene,
-                   command.threads,
-                   output())
-        .run(command.output);
+      run_trade(command, scene);
     if (command.task == CommandLine::Task::export_calculix)
       {
         export_calculix(scene,

@@ -383,8 +383,11 @@ namespace lamella
                                   {"moment", to_json(load.moment)}};
     if (!results.steps.empty())
       add_last_step(results, json);
+    json["quantities"] = results.quantities;
     for (const GoalResult &goal : results.goals)
       json["goals"][goal.name] = goal_json(goal);
+    if (!results.goals.empty())
+      json["seconds_of_error_bars"] = results.seconds_of_goals;
     if (!results.no_goals_reason.empty())
       json["no_error_bars"] = results.no_goals_reason;
     json["converged"] = results.converged;

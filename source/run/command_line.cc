@@ -36,6 +36,7 @@ runs as it is, to begin with.
                         --output, write its sections there, for scripts/plot
   --print-parameters    print all entries (with a scene: as they are resolved)
   --threads N           threads (default 1)
+  --jobs N              variants of a trade that run at the same time (default 1)
   --element NAME        of an exported deck: C3D20R (default), C3D8I or C3D8R
   --contact-stiffness K of an exported deck [force/length^3] (default: auto)
   --kind KIND           of a new scene: three-point (default), four-point,
@@ -53,14 +54,14 @@ by Ctrl-C, which says what stands in the folder and how to go on.
   namespace
   {
     unsigned int
-    n_threads(const std::string &text)
+    count_of(const std::string &option, const std::string &text)
     {
       const bool   is_number = number_error(text).rule.empty();
       const double n         = is_number ? to_number(text) : 0.;
       if (!(n >= 1. && n <= 1024. && n == std::floor(n)))
         throw InputError(
-          "run.threads-out-of-range: the number after --threads must be a "
-          "whole number from 1 to 1024, as in --threads 4.");
+          "run.threads-out-of-range: the number after " + option +
+          " must be a whole number from 1 to 1024, as in " + option + " 4.");
       return static_cast<unsigned int>(n);
     }
 
@@ -96,6 +97,18 @@ by Ctrl-C, which says what stands in the folder and how to go on.
         throw InputError(
           "run.no-name: no name of a scene is given. Write lamella new NAME, "
           "which writes the scene NAME.prm.");
+    }
+
+
+
+    /// Throws InputError for options of a trade in another task.
+    void
+    check_jobs(const CommandLine &command)
+    {
+      if (command.task != CommandLine::Task::trade && command.jobs > 1)
+        throw InputError(
+          "run.option-of-trade: the option --jobs is for lamella trade only. "
+          "Remove --jobs, or write lamella trade.");
     }
 
 
@@ -175,6 +188,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
                 {"--element", &result.element},
                 {"--kind", &result.kind},
                 {"--contact-stiffness", &result.contact_stiffness}}
+        , counts{{"--threads", &result.threads}, {"--jobs", &result.jobs}}
         , flags{{"--calculix", &calculix},
                 {"--resume", &result.resume},
                 {"--validate", &result.validate},
@@ -220,7 +234,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       bool
       takes_value(const std::string &word) const
       {
-        return texts.count(word) > 0 || word == "--set" || word == "--threads";
+        return texts.count(word) > 0 || counts.count(word) > 0 ||
+               word == "--set";
       }
 
       void
@@ -228,8 +243,8 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       {
         if (option == "--set")
           result.overrides.push_back(value);
-        else if (option == "--threads")
-          result.threads = n_threads(value);
+        else if (counts.count(option) > 0)
+          *counts.at(option) = count_of(option, value);
         else
           *texts.at(option) = value;
       }
@@ -248,7 +263,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       std::vector<std::string>
       options() const
       {
-        std::vector<std::string> names{"--set", "--threads"};
+        std::vector<std::string> names{"--set"};
+        for (const auto &option : counts)
+          names.push_back(option.first);
         for (const auto &option : texts)
           names.push_back(option.first);
         for (const auto &option : flags)
@@ -259,7 +276,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       CommandLine                               &result;
       bool                                       calculix = false;
       const std::map<std::string, std::string *> texts;
-      const std::map<std::string, bool *>        flags;
+      /// Options with a number from 1 to 1024.
+      const std::map<std::string, unsigned int *> counts;
+      const std::map<std::string, bool *>         flags;
     };
   } // namespace
 
@@ -277,6 +296,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       }
     WordReader reader(result);
     reader.read(words, first);
+    check_jobs(result);
     check_task(result, reader.is_calculix());
     result.output_is_given = !result.output.empty();
     if (result.task == Task::new_scene && result.kind.empty())

@@ -461,8 +461,9 @@ namespace lamella
   Simulation::set_goals(std::vector<GoalResult> goals,
                         const std::string      &missing_reason)
   {
-    found.goals           = std::move(goals);
-    found.no_goals_reason = missing_reason;
+    found.goals            = std::move(goals);
+    found.no_goals_reason  = missing_reason;
+    found.seconds_of_goals = wall.wall_time() - found.seconds.at("total");
   }
 
 

@@ -129,11 +129,14 @@ namespace lamella
   void
   StepRecorder::add_measures(Results &results) const
   {
-    if (scene.measures.empty())
+    if (scene.measures.empty() && scene.goals.quantities.empty())
       return;
     const ResultNumbers numbers(results);
     for (const Measure &measure : scene.measures)
       results.steps.back().measures.push_back(numbers.value(measure.quantity));
+    results.quantities.clear();
+    for (const NamedQuantity &goal : scene.goals.quantities)
+      results.quantities[goal.label()] = numbers.value(goal);
   }
 
 

@@ -138,13 +138,14 @@ namespace lamella
 
 
 
-    /// The goals of a run that makes bars of the trade's quantities.
+    /// Returns the entry Goals/Quantities for the quantities of @p trade; empty
+    /// if they are those with References, the default of Goals.
     std::string
     quantities_of(const TradeParameters &trade)
     {
       std::vector<std::string> labels;
-      if (trade.probes_as_goals.empty())
-        for (const NamedQuantity &quantity : trade.quantities)
+      for (const NamedQuantity &quantity : trade.quantities)
+        if (trade.probes_as_goals.empty() && quantity.path != references_path)
           labels.push_back(quantity.label());
       return joined(labels, " | ");
     }
@@ -211,46 +212,43 @@ namespace lamella
                                 value);
       return overrides;
     }
-
-
-
-    /// What makes error bars of the trade's quantities.
-    std::vector<std::string>
-    error_bars(const Scene &scene)
-    {
-      std::vector<std::string> overrides{"Goals/Error bars=true",
-                                         "Goals/Quantities=" +
-                                           quantities_of(scene.trade)};
-      // One for each of other quantities would not do, nor one in their units.
-      std::optional<double> least;
-      for (const Tolerance &tolerance : scene.goals.tolerances)
-        if (!tolerance.is_absolute)
-          least = std::min(least.value_or(tolerance.size), tolerance.size);
-      if (!scene.goals.tolerances.empty())
-        overrides.push_back("Goals/Tolerance=" +
-                            (least ? to_text(100. * *least, 15) : ""));
-      return overrides;
-    }
   } // namespace
+
+
+
+  std::vector<std::string>
+  goals_of(const TradeVariant &entry, const Scene &scene)
+  {
+    if (entry.tolerance)
+      return {};
+    std::vector<std::string> overrides{
+      "Goals/Quantities=" + quantities_of(scene.trade),
+      std::string("Goals/Error bars=") +
+        (scene.trade.error_bars ? "true" : "false")};
+    // One for each of other quantities would not do, nor one in their units.
+    std::optional<double> least;
+    for (const Tolerance &tolerance : scene.goals.tolerances)
+      if (!tolerance.is_absolute && scene.trade.error_bars)
+        least = std::min(least.value_or(tolerance.size), tolerance.size);
+    if (!scene.goals.tolerances.empty())
+      overrides.push_back("Goals/Tolerance=" +
+                          (least ? to_text(100. * *least, 15) : ""));
+    return overrides;
+  }
 
 
 
   Variant
   make_variant(const TradeVariant &entry, const Scene &scene)
   {
-    Variant    variant{entry.name,
+    Variant variant{entry.name,
                     entry.theory,
                     entry.tolerance ?
-                         run_to_tolerance(*entry.tolerance, scene) :
-                         run_of_theory(entry, scene)};
-    const auto add = [&variant](const std::vector<std::string> &more) {
-      variant.overrides.insert(variant.overrides.end(),
-                               more.begin(),
-                               more.end());
-    };
-    if (scene.trade.error_bars && !entry.tolerance)
-      add(error_bars(scene));
-    add(entry.overrides);
+                      run_to_tolerance(*entry.tolerance, scene) :
+                      run_of_theory(entry, scene)};
+    variant.overrides.insert(variant.overrides.end(),
+                             entry.overrides.begin(),
+                             entry.overrides.end());
     return variant;
   }
 } // namespace lamella

@@ -32,7 +32,7 @@ ARROWS = {
               "recover"),
     "run": ("base", "conditions", "contact", "solve", "recover", "adapt", "report", "scene"),
     "estimate": ("base", "axis", "body", "recover", "adapt", "report", "scene", "run"),
-    "trade": ("base", "section", "recover", "scene", "run", "estimate"),
+    "trade": ("base", "section", "recover", "scene", "run"),
     "export": ("base", "body", "contact", "recover", "adapt", "scene"),
 }
 ROOMS = tuple(ARROWS)

@@ -209,9 +209,10 @@ class Bars(unittest.TestCase):
     def test_what_is_printed(self):
         with tempfile.TemporaryDirectory() as folder:
             trade = trade_of(self.variants)
-            Path(folder, "trade.json").write_text(json.dumps(trade))
-            done = subprocess.run([sys.executable, str(SCRIPTS / "trade.py"), folder],
-                                  capture_output=True, text=True)
+            call = ("import json, pathlib, sys, trade; trade.make_tables(json.load(sys.stdin), "
+                    f"pathlib.Path({folder!r}))")
+            done = subprocess.run([sys.executable, "-c", call], input=json.dumps(trade), text=True,
+                                  capture_output=True, cwd=SCRIPTS, check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             for cell in ("9 % (bar 10 %)", "6 % (bar 5 %)", "10 % (no bar)", "- (bar 0.5 %)",
                          "\nBars that hold", "failed: It does not fit.\n"):

@@ -338,8 +338,8 @@ def check_killed(program, scene, workdir):
     second = Trade(program, scene, trade.folder).run()
     expect(second.returncode == 1 and "[trade.folder-in-use]" in second.stderr,
            "a second trade in the same folder is refused")
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
-    running = children.read_text().split() if children.exists() else []
+    running = [pid for children in Path(f"/proc/{process.pid}/task").glob("*/children")
+               for pid in children.read_text().split()]
     process.send_signal(signal.SIGKILL)
     process.wait()
     until = time.monotonic() + 5

@@ -15,8 +15,6 @@
 #include <lamella/scene/goal_parameters.h>
 #include <lamella/shape/shapes.h>
 
-#include <nlohmann/json.hpp>
-
 #include <boost/test/unit_test.hpp>
 
 #include <ostream>
@@ -422,7 +420,7 @@ BOOST_AUTO_TEST_CASE(strips_of_a_contact)
 
 
 
-BOOST_AUTO_TEST_CASE(numbers_go_through_pipes)
+BOOST_AUTO_TEST_CASE(numbers_of_a_run)
 {
   std::ostream        nowhere(nullptr);
   const Scene         scene = read_scene(SceneText::read(
@@ -432,14 +430,12 @@ BOOST_AUTO_TEST_CASE(numbers_go_through_pipes)
                      "| clamps: fz | tip: uz"}));
   Simulation          simulation(scene, nowhere);
   const ResultNumbers numbers(simulation.solve());
-  const ResultNumbers again(nlohmann::json::parse(numbers.to_json().dump()));
   for (const NamedQuantity &quantity : scene.goals.quantities)
     BOOST_TEST_CONTEXT(quantity.label())
     {
       BOOST_TEST(numbers.value(quantity) != 0.);
-      BOOST_TEST(numbers.value(quantity) == again.value(quantity));
-      BOOST_TEST(numbers.largest_of_kind(quantity) ==
-                 again.largest_of_kind(quantity));
+      BOOST_TEST(numbers.value(quantity) ==
+                 simulation.results().quantities.at(quantity.label()));
       BOOST_TEST(std::abs(numbers.value(quantity)) <=
                  numbers.largest_of_kind(quantity) * (1. + 1e-12));
     }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/recover/results.h>
-#include <lamella/trade/variant_result.h>
 #include <lamella/trade/variants.h>
 
 #include <boost/test/unit_test.hpp>
-
-#include <nlohmann/json.hpp>
 
 BOOST_AUTO_TEST_SUITE(trade)
 
@@ -21,34 +17,6 @@ namespace
     return {NamedQuantity::ObjectKind::probe, "tip", 0, column, {}};
   }
 } // namespace
-
-
-
-BOOST_AUTO_TEST_CASE(bars_go_through_a_pipe)
-{
-  Results results;
-  results.steps.emplace_back();
-  results.goals.resize(2);
-  results.goals[0].name     = "tip: uz";
-  results.goals[0].estimate = -1. / 3.;
-  results.goals[0].bar      = 2. / 3.;
-  results.goals[0].trusted  = true;
-  results.goals[1].name     = "clamp: fz";
-  const VariantValues sent(results);
-  const VariantValues values(nlohmann::json::parse(sent.to_json().dump()));
-  BOOST_TEST(values.has_bars());
-  const std::optional<RunErrorBar> bar = values.bar(quantity("uz"));
-  BOOST_TEST(bar.value().estimate == -1. / 3.);
-  BOOST_TEST(bar.value().bar == 2. / 3.);
-  BOOST_TEST(bar.value().trusted);
-  BOOST_TEST(!values.bar(quantity("ux")).has_value());
-  BOOST_TEST(
-    !values.bar({NamedQuantity::ObjectKind::support, "clamp", 0, "fz", {}})
-       .value()
-       .trusted);
-  results.goals.clear();
-  BOOST_TEST(!VariantValues(results).has_bars());
-}
 
 
 
@@ -202,15 +170,21 @@ BOOST_AUTO_TEST_CASE(bars_of_variants)
   Scene              scene = scene_with(Laminate());
   scene.trade.quantities   = {quantity("uz")};
   scene.trade.error_bars   = true;
-  BOOST_TEST((make_variant(entry, scene).overrides ==
-              Texts{"Body b/Kinematics/Theory=LE-2",
-                    "Goals/Error bars=true",
-                    "Goals/Quantities=tip: uz"}));
+  BOOST_TEST((goals_of(entry, scene) ==
+              Texts{"Goals/Quantities=tip: uz", "Goals/Error bars=true"}));
   scene.goals.tolerances = {{0.02}, {0.01}, {0.005, true}};
-  BOOST_TEST(make_variant(entry, scene).overrides.back() ==
-             "Goals/Tolerance=1");
+  BOOST_TEST(goals_of(entry, scene).back() == "Goals/Tolerance=1");
   scene.goals.tolerances = {{0.005, true}};
-  BOOST_TEST(make_variant(entry, scene).overrides.back() == "Goals/Tolerance=");
+  BOOST_TEST(goals_of(entry, scene).back() == "Goals/Tolerance=");
+  // Without bars there is no run to a tolerance either.
+  scene.trade.error_bars = false;
+  scene.goals.tolerances = {{0.02}};
+  BOOST_TEST((goals_of(entry, scene) == Texts{"Goals/Quantities=tip: uz",
+                                              "Goals/Error bars=false",
+                                              "Goals/Tolerance="}));
+  // Quantities with References are the goals without being named.
+  scene.trade.quantities[0].path = references_path;
+  BOOST_TEST(goals_of(entry, scene)[0] == "Goals/Quantities=");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

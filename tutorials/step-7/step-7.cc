@@ -12,16 +12,27 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/mpi_session.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
-#include <lamella/trade/trade.h>
 #include <lamella/trade/variants.h>
 
 #include <deal.II/base/table_handler.h>
+#include <deal.II/base/timer.h>
 
-#include <filesystem>
 #include <iostream>
 
 using namespace lamella;
+
+/// Cost and values of a variant.
+struct Run
+{
+  std::string         name, failure; // Empty if the variant succeeded.
+  double              seconds = 0.;
+  unsigned int        dofs    = 0;
+  std::vector<double> values; // In the order of Trade/Quantities.
+};
+
+
 
 class BendingTest
 {
@@ -31,7 +42,7 @@ public:
   run();
 
 private:
-  VariantResult
+  Run
   climb(const TradeVariant &entry);
   bool
   has_error(const unsigned int k) const;
@@ -41,7 +52,7 @@ private:
   utilization(const unsigned int k) const;
   template <typename Number>
   int
-  cheapest(Number VariantResult::*const cost) const;
+  cheapest(Number Run::*const cost) const;
   int
   best_within_budget() const;
   void
@@ -51,7 +62,7 @@ private:
   void
   check() const;
 
-  static constexpr const char *file = STEP_7_SCENE, *output = "step-7";
+  static constexpr const char *file = STEP_7_SCENE;
 
   // What the numbers are for, in the order of Trade/Quantities. The force
   // gives the modulus of the strip: 2 %. The two stresses are held against
@@ -67,8 +78,8 @@ private:
 
   // All variants of the hierarchy, and the number of the finest that has
   // succeeded.
-  std::vector<VariantResult> variants;
-  unsigned int               reference = 0;
+  std::vector<Run> variants;
+  unsigned int     reference = 0;
 };
 
 
@@ -88,16 +99,13 @@ BendingTest::BendingTest()
 //
 // The seconds are those of the whole way, from the text to the numbers, as long
 // as nothing else is at work in the process. Simulation::solve() returns all
-// that the run has found out; VariantValues picks from it what a trade
-// compares, as the command `lamella trade` does. No file is written on the way.
-VariantResult
+// that the run has found out; ResultNumbers evaluates the quantities that the
+// scene names. No file is written on the way.
+Run
 BendingTest::climb(const TradeVariant &entry)
 {
-  VariantResult result{entry.name, entry.theory, "", 0., {}, 0, 0., {}};
-  // What the sentences need to tell a richer variant from a coarser one.
-  result.axis       = entry.axis;
-  result.section    = entry.section;
-  result.overridden = !entry.overrides.empty();
+  Run result;
+  result.name = entry.name;
   try
     {
       dealii::Timer wall;
@@ -109,8 +117,8 @@ BendingTest::climb(const TradeVariant &entry)
       const Results &results = simulation.solve();
       result.seconds         = wall.wall_time();
 
-      const VariantValues values(results);
-      values.tell(result);
+      result.dofs = results.n_dofs();
+      const ResultNumbers values(results);
       for (const NamedQuantity &quantity : scene.trade.quantities)
         result.values.push_back(values.value(quantity));
 
@@ -164,7 +172,7 @@ BendingTest::utilization(const unsigned int k) const
 // answer is -1 if no variant is enough.
 template <typename Number>
 int
-BendingTest::cheapest(Number VariantResult::*const cost) const
+BendingTest::cheapest(Number Run::*const cost) const
 {
   int best = -1;
   for (unsigned int k = 0; k < variants.size(); ++k)
@@ -231,8 +239,8 @@ BendingTest::decide() const
   };
   std::cout.precision(3);
   std::cout << "\nAll at once, DoFs of the variant\n";
-  say("all tolerances, fewest DoFs", cheapest(&VariantResult::dofs));
-  say("all tolerances, fewest seconds", cheapest(&VariantResult::seconds));
+  say("all tolerances, fewest DoFs", cheapest(&Run::dofs));
+  say("all tolerances, fewest seconds", cheapest(&Run::seconds));
   say("best within the budget", best_within_budget());
 }
 
@@ -268,14 +276,12 @@ BendingTest::check() const
 
 
 
-// present_trade() prints errors and costs, says in a sentence what is the
-// cheapest for each quantity and tolerance of the scene, and whether to count
-// on it, and makes the picture of it; plot.py in this folder makes that of the
-// decision.
+// `lamella trade` prints errors and costs of the same variants, and says in a
+// sentence what is the cheapest for each quantity; plot.py in this folder draws
+// the decision from its table.
 void
 BendingTest::run()
 {
-  std::filesystem::create_directories(output);
   // The first run waits for libraries to be read from disk; it does not count.
   climb(scene.trade.variants.front());
   for (const TradeVariant &entry : scene.trade.variants)
@@ -290,13 +296,6 @@ BendingTest::run()
       else
         std::cout << "failed: " << variants.back().failure << std::endl;
     }
-
-  present_trade({variants,
-                 scene.trade.quantities,
-                 scene.trade.reference,
-                 scene.trade.tolerances,
-                 scene.title},
-                output);
 
   print_utilizations();
   decide();

@@ -8,8 +8,6 @@
 #include <lamella/recover/requests.h>
 #include <lamella/recover/results.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <map>
 #include <optional>
 #include <string>
@@ -166,13 +164,6 @@ namespace lamella
 
     /// Copies values of @p results. Throws InputError if no step was solved.
     explicit ResultNumbers(const Results &results);
-
-    /// Reads the output of to_json(); throws nlohmann::json::exception.
-    explicit ResultNumbers(const nlohmann::json &json);
-
-    /// Returns all values as JSON, from which doubles are restored exactly.
-    nlohmann::json
-    to_json() const;
 
     /// Returns the value of @p quantity. Throws InputError if its probe lies on
     /// a ply interface, the values of both plies differ (by 1e-9 relatively),

@@ -270,10 +270,13 @@ namespace lamella
     std::vector<std::string> endnotes; ///< Notes printed after all warnings.
     /// First ply failure; empty if the scene does not request the search.
     std::optional<FirstFailure> first_failure;
+    /// Values of the quantities of subsection Goals in the last load step.
+    std::map<std::string, double> quantities;
     /// Quantities of interest with error estimates; empty if not estimated.
     std::vector<GoalResult> goals;
     /// Reason why no errors were estimated; else empty.
     std::string no_goals_reason;
+    double      seconds_of_goals = 0.; ///< Wall time of error estimates [s].
     /// Lower bound of the condition number of the stiffness; 0 if unknown.
     double condition_estimate = 0.;
 

@@ -16,8 +16,8 @@ namespace lamella
     /// Command before the scene; without a command, the scene is solved.
     enum class Task
     {
-      run,             ///< solves the scene (Simulation)
-      trade,           ///< compares theories and meshes for the scene (Trade)
+      run,   ///< solves the scene (Simulation)
+      trade, ///< compares theories and meshes for the scene (run_trade)
       export_calculix, ///< writes a CalculiX input file; needs --calculix
       report,          ///< HTML page with the results of a run (make_page)
       new_scene        ///< writes a template scene file (write_new_scene)
@@ -38,6 +38,8 @@ namespace lamella
     std::vector<std::string> overrides;
     /// Number of threads of this process, 1 to 1024.
     unsigned int threads = 1;
+    /// Number of variants of a trade that run at the same time, 1 to 1024.
+    unsigned int jobs = 1;
     /// True to continue the interrupted run whose results are in `output`.
     bool resume = false;
     /// True to build the scene and print a summary, without solving.

@@ -50,7 +50,8 @@ namespace lamella
            const SolvedStep  &solved,
            const State       &previous) const;
 
-    /// Adds differences of probe values (measures) to the last of @p results.
+    /// Adds differences of probe values (measures) to the last of @p results,
+    /// and sets the values of its goals (Results::quantities).
     void
     add_measures(Results &results) const;
 

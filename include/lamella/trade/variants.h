@@ -39,10 +39,16 @@ namespace lamella
   ///
   /// For a solution to a tolerance, the overrides set `Tolerance` of Goals, and
   /// `auto` for the theory of the scene and for theory and axis elements of the
-  /// bodies of the trade; other bodies are refined, too. For these runs, and if
-  /// error bars are requested, the compared quantities become the goals.
+  /// bodies of the trade; other bodies are refined, too. The compared
+  /// quantities are the goals of these runs.
   Variant
   make_variant(const TradeVariant &entry, const Scene &scene);
+
+  /// Returns overrides that make the compared quantities of @p scene the goals
+  /// of the variant @p entry, with error bars if `Trade/Error bars` is true,
+  /// and without a run to a tolerance. None if @p entry is one.
+  std::vector<std::string>
+  goals_of(const TradeVariant &entry, const Scene &scene);
 } // namespace lamella
 
 #endif
