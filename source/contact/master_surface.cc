@@ -22,6 +22,72 @@ namespace lamella
         return {};
       return sum / sum.norm();
     }
+
+
+
+    /// Returns Aitken's relaxation factor after the residuals @p before and @p
+    /// now of a fixed-point iteration with the factor @p relaxation (Irons and
+    /// Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277); 1 if it is not in
+    /// (0, 1), as the iteration converges without relaxation then.
+    double
+    aitken_relaxation(const double        relaxation,
+                      const Tensor<1, 3> &before,
+                      const Tensor<1, 3> &now)
+    {
+      const Tensor<1, 3> change = now - before;
+      const double       factor = -relaxation * (before * change);
+      const double       most   = change.norm_square();
+      return factor > 0. && factor < most ? factor / most : 1.;
+    }
+
+
+
+    /// Returns where the line from @p x along the normal @p n meets @p other.
+    /// If it misses, @p n becomes its average with the normal of @p other near
+    /// @p x, if these are @p opposed.
+    std::optional<SurfaceHit>
+    first_hit(const MasterSurface &other,
+              const Point<3>      &x,
+              const double         search_radius,
+              const double         opposed,
+              Tensor<1, 3>        &n)
+    {
+      const auto hit = other.meet(x, n, search_radius);
+      if (hit)
+        return hit;
+      const Tensor<1, 3> near = other.normal_near(x);
+      if (n * near > -opposed)
+        return {};
+      n = *averaged_normal(n, near);
+      return other.meet(x, n, search_radius);
+    }
+
+
+
+    /// Moves @p n by @p relaxation times @p step and returns where the line
+    /// from
+    /// @p x along it meets @p other. A step that misses is halved, in all as
+    /// often as suffices for a gap of 2^5 radii, with the count in @p misses.
+    std::optional<SurfaceHit>
+    relaxed_step(const MasterSurface &other,
+                 const Point<3>      &x,
+                 const double         search_radius,
+                 const Tensor<1, 3>  &step,
+                 Tensor<1, 3>        &n,
+                 double              &relaxation,
+                 unsigned int        &misses)
+    {
+      constexpr unsigned int max_misses = 5;
+      const Tensor<1, 3>     previous   = n;
+      for (;; relaxation *= 0.5)
+        {
+          n = previous + relaxation * step;
+          n /= n.norm();
+          const auto hit = other.meet(x, n, search_radius);
+          if (hit || ++misses > max_misses)
+            return hit;
+        }
+    }
   } // namespace
 
 
@@ -38,26 +104,26 @@ namespace lamella
     constexpr double       small = arithmetic::rounding, accepted = 1e-11;
 
     Tensor<1, 3> n   = n1;
-    auto         hit = other.meet(x, n, search_radius);
-    if (!hit)
-      {
-        const Tensor<1, 3> near = other.normal_near(x);
-        if (n1 * near > -opposed)
-          return {};
-        n   = *averaged_normal(n1, near);
-        hit = other.meet(x, n, search_radius);
-      }
-    double change = 1.;
+    auto         hit = first_hit(other, x, search_radius, opposed, n);
+    // The rate of the fixed-point iteration on a surface of radius R is
+    // -gap / (2 R), positive if the surface is concave.
+    Tensor<1, 3> before;
+    double       change = 1., relaxation = 1.;
+    unsigned int misses = 0;
     for (unsigned int k = 0; hit && k < max_iterations; ++k)
       {
         const auto next = averaged_normal(n1, hit->normal);
         if (!next)
           return {};
-        change = (*next - n).norm();
+        const Tensor<1, 3> residual = *next - n;
+        change                      = residual.norm();
         if (change < small)
           break;
-        n   = *next;
-        hit = other.meet(x, n, search_radius);
+        if (k > 0)
+          relaxation = aitken_relaxation(relaxation, before, residual);
+        before = residual;
+        hit    = relaxed_step(
+          other, x, search_radius, residual, n, relaxation, misses);
       }
     if (!hit || change > accepted || n1 * hit->normal > -opposed)
       return {};

@@ -256,6 +256,38 @@ BOOST_AUTO_TEST_CASE(mirrored_bodies_face_each_other_along_the_mirrors_normal)
 
 
 
+BOOST_AUTO_TEST_CASE(far_points_meet_a_small_cylinder)
+{
+  // The averaged normal and the normal at the hit make the same angle phi / 2
+  // with the line, from the point to R sin phi; gaps to 20 radii.
+  const double R = 5.;
+  for (const double gap : {1., 10., 35., 100.})
+    for (const double share : {-0.9, -0.3, 0., 0.1, 0.5, 0.95})
+      {
+        const auto nose = std::make_shared<Obstacle>();
+        nose->shape     = Obstacle::Shape::cylinder;
+        nose->point     = Point<3>(0., 0., gap + R);
+        nose->direction = Tensor<1, 3>({1., 0., 0.});
+        nose->radius    = R;
+        const Point<3> x(2., share * R, 0.);
+        const auto     facing = find_master_point(ObstacleSurface(nose),
+                                              x,
+                                              Tensor<1, 3>({0., 0., 1.}),
+                                              200.);
+        BOOST_TEST_REQUIRE(facing.has_value());
+        const Tensor<1, 3> d     = facing->hit.position - x;
+        const double       angle = std::asin(facing->hit.position[1] / R);
+        BOOST_TEST(d[0] == 0.);
+        BOOST_TEST(std::abs(std::hypot(facing->hit.position[1],
+                                       facing->hit.position[2] - gap - R) -
+                            R) < 1e-11 * R);
+        BOOST_TEST(std::abs(d[1] / d[2] + std::tan(angle / 2.)) < 1e-10);
+        BOOST_TEST(std::abs(facing->hit.distance - d.norm()) < 1e-10 * gap);
+      }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(mirrored_bodies_pair_all_nodes)
 {
   // All but the two lines where the arcs end, whose normals are parallel.
