@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the variants of a trade and compares them (doc/guides/convergence-study.md).
 
-Usage: trade.py DIR (by `lamella trade`, which writes the variants to DIR/variants/plan.json)
+Usage: trade.py DIR PLAN (by `lamella trade`, which writes the variants to the file PLAN)
 
 Runs the variants without results (trade_runs.py). Prints the costs of all variants, their errors
 with their own bars, and a sentence for each tolerance and quantity; leaves in DIR trade.json (all
@@ -20,7 +20,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from trade_runs import InputError, NumericsError, Runs, take_plan
+from trade_runs import InputError, Interrupted, NumericsError, Runs, take_plan
 from trade_table import NoReference, Table, per_cent, text
 
 
@@ -145,7 +145,7 @@ def make_tables(trade, folder):
           + ("" if no_picture else ", trade.png, trade.svg") + "; the runs in variants/)")
 
 
-def run(folder):
+def run(folder, plan):
     with open(folder / "trade.lock", "a", encoding="utf-8") as lock:
         try:
             fcntl.lockf(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -155,7 +155,7 @@ def run(folder):
         # Those of an earlier trade would look like this one's.
         for name in ("trade.json", "trade.csv", "trade.py", "trade.png", "trade.svg"):
             (folder / name).unlink(missing_ok=True)
-        runs = Runs(take_plan(folder), folder)
+        runs = Runs(plan, folder)
         runs.check_quantities()
         trade = runs.trade()
         (folder / "trade.json").write_text(json.dumps(trade, indent=1) + "\n", encoding="utf-8")
@@ -171,21 +171,30 @@ def end_by(signal_number, folder):
 
 
 def main():
+    def stop(number, _):
+        raise Interrupted(number)
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, stop)
     folder = Path(sys.argv[1])
     try:
-        run(folder)
+        run(folder, take_plan(Path(sys.argv[2])))
     except InputError as error:
         print(f"lamella: {error}", file=sys.stderr)
         return 1
     except NumericsError as error:
         print(f"lamella: {error}", file=sys.stderr)
         return 2
+    except BrokenPipeError:
+        # Whoever reads the output has enough of it.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except OSError as error:
         print(f"lamella: cannot write {error.filename}. Check that the disk is not full. "
               "[base.cannot-write]", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        end_by(signal.SIGINT, folder)
+    except Interrupted as signalled:
+        end_by(signalled.number, folder)
     return 0
 
 

@@ -29,20 +29,39 @@ class NumericsError(Exception):
     """A failure of the numerics; exit status 2."""
 
 
+class Interrupted(BaseException):
+    """SIGINT or SIGTERM, to this process or to one of its children."""
+
+    def __init__(self, number):
+        super().__init__()
+        self.number = number
+
+
 def folder_name(number, name):
     """Letters, digits, '-' and '.'; file systems end names at 255 bytes."""
     return f"{number:02d}_{re.sub('[^A-Za-z0-9.-]', '_', name)}"[:100]
 
 
-def without_ply(label):
-    """`middle: syz` of `middle/2: syz`: quantities with References name no ply."""
-    return re.sub(r"/\d+:", ":", label)
+def found_in(values, label):
+    """The entry of a label. A label without a ply, of a quantity with References, may stand for one
+    with a ply: `middle: syz` for `middle/2: syz`. None if there is no entry."""
+    if label in values:
+        return values[label]
+    return next((value for own, value in values.items()
+                 if re.sub(r"/\d+:", ":", own) == label), None)
 
 
 def stamps_of(files):
     """Size and time of the last change of each file."""
-    return {path: (os.stat(path).st_size, os.stat(path).st_mtime_ns) if os.path.exists(path)
+    return {path: [os.stat(path).st_size, os.stat(path).st_mtime_ns] if os.path.exists(path)
             else None for path in files}
+
+
+def environment():
+    """Without the variables of MPI: a variant must not join the processes of this one."""
+    return {name: value for name, value in os.environ.items()
+            if name.startswith("OMPI_ALLOW")
+            or not name.startswith(("PMIX_", "ORTE_", "OMPI_"))}
 
 
 def numbers_of(summary):
@@ -69,22 +88,20 @@ def largest_at(probe, rows):
 
 
 def value_of(numbers, label):
-    """The value of a quantity, or of a column of a probe."""
-    for name in (label, without_ply(label)):
-        for own, value in numbers["values"].items():
-            if name in (own, without_ply(own)):
-                return value
-    name, column = label.split(": ")
+    """The value of a quantity, or of a column of a probe; None if there is none."""
+    value = found_in(numbers["values"], label)
+    name, _, column = label.partition(": ")
     probe, _, ply = name.partition("/")
-    return next(row[column] for row in numbers["probes"][probe]
-                if not ply or str(row["ply"]) == ply)
+    if value is None:
+        rows = numbers["probes"].get(probe, [])
+        if not ply and column not in DISPLACEMENTS and len(rows) > 1:
+            return None
+        value = next((row.get(column) for row in rows if not ply or str(row["ply"]) == ply), None)
+    return value
 
 
 def has_values(numbers, labels):
-    try:
-        return all(value_of(numbers, label) is not None for label in labels)
-    except (KeyError, StopIteration, ValueError):
-        return False
+    return all(value_of(numbers, label) is not None for label in labels)
 
 
 class Runs:
@@ -93,16 +110,25 @@ class Runs:
     def __init__(self, plan, folder):
         self.plan, self.folder = plan, folder
         self.labels = [quantity["label"] for quantity in plan["quantities"]]
-        self.stamps = stamps_of(plan["files"])
+        files = set(plan["files"]).union(*(one.get("files", ()) for one in plan["variants"]))
+        self.stamps = stamps_of(sorted(files))
+        for variant in plan["variants"]:
+            if not variant["failure"]:
+                # The scene's own file is in the parameters already.
+                own = [plan["program"], *variant["files"]]
+                variant["fingerprint"] += ", " + json.dumps(stamps_of(own))
         self.libc = ctypes.CDLL(None)
+        self.children, self.interrupted = set(), False
 
     def begin_child(self):
         """Of the child before its program: it ends with this process, and at its time limit."""
         if sys.platform == "linux":
             self.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
         if self.plan["time_limit"] > 0.:
+            hard = resource.getrlimit(resource.RLIMIT_CPU)[1]
             seconds = math.ceil(self.plan["time_limit"])
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+            if hard == resource.RLIM_INFINITY or seconds < hard:
+                resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
 
     def run(self, overrides, output, errors, *options):
         """Exit status and seconds of the program with the scene and overrides."""
@@ -113,8 +139,13 @@ class Runs:
         begin = time.monotonic()
         with open(output, "w", encoding="utf-8") as out, \
                 open(errors, "w", encoding="utf-8") as err:
-            status = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=out, stderr=err,
-                                    preexec_fn=self.begin_child, check=False).returncode
+            child = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=out, stderr=err,
+                                     env=environment(), preexec_fn=self.begin_child)
+            self.children.add(child)
+            status = child.wait()
+            self.children.discard(child)
+        if self.interrupted or -status in (signal.SIGINT, signal.SIGTERM):
+            raise Interrupted(-status)
         return status, time.monotonic() - begin
 
     def check_quantities(self):
@@ -167,6 +198,9 @@ class Runs:
             if failure:
                 break
             summary = json.loads((target / "summary.json").read_text(encoding="utf-8"))
+            if not has_values(numbers_of(summary), self.labels):
+                return {**record, "seconds": seconds,
+                        "failure": "has no value of one of the quantities."}
             if not variant["theory"].startswith("tol"):
                 seconds -= summary.get("seconds_of_error_bars", 0.)
             numbers = numbers_of(summary)
@@ -181,7 +215,7 @@ class Runs:
             shutil.rmtree(again, ignore_errors=True)
             if record["seconds"] >= SHORT:
                 break
-        if stamps_of(self.plan["files"]) != self.stamps:
+        if stamps_of(self.stamps) != self.stamps:
             raise InputError(
                 f"{self.plan['scene']}: the scene, a mesh file or the program was changed while "
                 "the variants were running. Start the trade again. [trade.scene-changed]")
@@ -238,7 +272,11 @@ class Runs:
             try:
                 return [one.result() for one in running], reference
             except BaseException:
-                pool.shutdown(wait=False, cancel_futures=True)
+                self.interrupted = True
+                for one in running:
+                    one.cancel()
+                for child in list(self.children):
+                    child.kill()
                 raise
 
     def trade(self):
@@ -263,14 +301,13 @@ class Runs:
                 "buckling_factor": own.get("buckling_factor"),
                 "holds": [places[names[k]] for k in one["holds"] if names[k] in places],
                 "values": [value_of(own, quantity["label"]) for quantity in quantities if own],
-                "bars": [bars.get(quantity["label"]) for quantity in quantities] * bool(bars)})
+                "bars": [found_in(bars, quantity["label"]) for quantity in quantities if bars]})
         return {**{key: self.plan[key] for key in ("title", "remark", "phases", "tolerances")},
                 "reference": reference, "variants": variants, "quantities": quantities}
 
 
-def take_plan(folder):
+def take_plan(path):
     """The plan that `lamella trade` has written, which is removed."""
-    path = folder / "variants/plan.json"
     plan = json.loads(path.read_text(encoding="utf-8"))
     path.unlink()
     return plan

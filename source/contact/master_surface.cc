@@ -43,8 +43,8 @@ namespace lamella
 
 
     /// Returns where the line from @p x along the normal @p n meets @p other.
-    /// If it misses, @p n becomes its average with the normal of @p other near
-    /// @p x, if these are @p opposed.
+    /// If it misses, and the normal of @p other near @p x is @p opposed, @p n
+    /// becomes their average, as often as reduces an angle of 60 degrees to 2.
     std::optional<SurfaceHit>
     first_hit(const MasterSurface &other,
               const Point<3>      &x,
@@ -52,14 +52,18 @@ namespace lamella
               const double         opposed,
               Tensor<1, 3>        &n)
     {
-      const auto hit = other.meet(x, n, search_radius);
+      auto hit = other.meet(x, n, search_radius);
       if (hit)
         return hit;
       const Tensor<1, 3> near = other.normal_near(x);
       if (n * near > -opposed)
         return {};
-      n = *averaged_normal(n, near);
-      return other.meet(x, n, search_radius);
+      for (unsigned int k = 0; k < 5 && !hit; ++k)
+        {
+          n   = *averaged_normal(n, near);
+          hit = other.meet(x, n, search_radius);
+        }
+      return hit;
     }
 
 

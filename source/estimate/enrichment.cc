@@ -120,12 +120,14 @@ namespace lamella
       limit_size(body, size, growth * growth, rules);
       if (keeps_degree)
         return;
+      const auto higher = [&rules](const unsigned int degree) {
+        return std::max(degree, std::min(degree + 1, rules.highest_degree));
+      };
       for (Theory *theory : theories_of(body))
         {
           if (theory->is_layerwise())
-            theory->order = std::min(theory->order + 1, rules.highest_degree);
-          theory->section_order =
-            std::min(theory->section_order + 1, rules.highest_degree);
+            theory->order = higher(theory->order);
+          theory->section_order = higher(theory->section_order);
         }
     }
 

@@ -30,6 +30,23 @@ namespace lamella
 
 
 
+    /// Returns whether no source contributes more to the error of @p goal than
+    /// the section.
+    bool
+    is_of_section(const GoalResult &goal)
+    {
+      double section = 0., largest = 0.;
+      for (const auto &[name, share] : goal.shares)
+        {
+          largest = std::max(largest, std::abs(share));
+          if (is_of(name, Source::section))
+            section = std::max(section, std::abs(share));
+        }
+      return section > 0. && section == largest;
+    }
+
+
+
     /// Returns the error of @p goal from elements that are not bisected.
     double
     of_others(const GoalResult &goal, const PassRefinement &refined)
@@ -110,6 +127,8 @@ namespace lamella
     made.push_back(pass);
     refinements.push_back(refined);
     const std::size_t n = made.size();
+    if (refined.divides_cells && before_division == 0)
+      before_division = n - 1;
     if (n > 2)
       for (unsigned int g = 0; g < pass.goals.size(); ++g)
         shorten(made.back().goals[g],
@@ -157,18 +176,35 @@ namespace lamella
     };
     if (!goal.has_limit)
       return true;
+    // Division of cells is the last remedy for an error of the section.
+    if (refinements.back().divides_cells && !goal.trusted &&
+        is_of_section(goal))
+      return true;
     // Several passes without a bar and with large changes indicate no limit.
-    if (made.size() >= rules.patience &&
+    const std::size_t alike      = made.size() - before_division;
+    const bool        may_divide = before_division == 0 && is_of_section(goal);
+    if (alike >= rules.patience && !may_divide &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
         change(number) > goal.allowed_error())
       return true;
-    if (made.size() <= rules.slow_passes || goal.met())
+    if (alike <= rules.slow_passes || goal.met() || may_divide)
       return false;
     double before = 0.;
     for (unsigned int k = 1; k <= rules.slow_passes; ++k)
-      before =
-        std::max(before, error_ratio(made[made.size() - 1 - k].goals[number]));
-    return error_ratio(goal) > rules.min_progress * before;
+      if (const GoalResult &one = made[made.size() - 1 - k].goals[number];
+          one.trusted)
+        before = std::max(before, error_ratio(one));
+    return before > 0. && error_ratio(goal) > rules.min_progress * before;
+  }
+
+
+
+  double
+  Passes::predicted_seconds(const double dofs) const
+  {
+    const double before = made.size() > 1 ? made[made.size() - 2].seconds : 0.;
+    return (last().seconds - before) *
+           std::pow(dofs / last().dofs, rules.cost_exponent);
   }
 
 
@@ -221,7 +257,8 @@ namespace lamella
           dropped_in_pass[g] == made.size())
         sentences.push_back(
           "no further refinement pass is made for " + goal.name + ": " +
-          (goal.trusted ? "refinement does not reduce its error estimate" :
+          (goal.trusted ? "its error bar has not decreased by a third in two "
+                          "passes" :
                           goal.why));
     return sentences;
   }

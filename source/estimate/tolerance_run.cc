@@ -13,8 +13,8 @@
 #include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/tolerance_run.h>
+#include <lamella/report/csv_line.h>
 #include <lamella/report/goals_table.h>
-#include <lamella/report/tables.h>
 #include <lamella/run/run_scene.h>
 
 #include <algorithm>
@@ -123,13 +123,33 @@ namespace lamella
     auto next = built();
     if (passes.all().empty() && start_with_layerwise(scene, next->model()))
       next = built();
-    const double most = scene.goals.budget_dofs;
-    if (most > 0 && next->results().n_dofs() > most)
+    check_budgets(next->results().n_dofs());
+    return next;
+  }
+
+
+
+  // The decision has to be the same on all processes.
+  void
+  ToleranceRun::check_budgets(const double dofs) const
+  {
+    const double most = scene.goals.budget_dofs,
+                 time = scene.goals.budget_seconds;
+    if (most > 0 && dofs > most)
       throw NumericsError(
         "estimate.budget-exceeded: the next refined model has " +
-        std::to_string(next->results().n_dofs()) + " DoFs, but the limit is " +
-        std::to_string(scene.goals.budget_dofs) + " (Budget DoFs)");
-    return next;
+        std::to_string(std::lround(dofs)) + " DoFs, but the limit is " +
+        std::to_string(std::lround(most)) + " (Budget DoFs)");
+    if (time == 0. || passes.all().empty())
+      return;
+    const double begin   = dealii::Utilities::MPI::max(wall.wall_time(),
+                                                     communicator()),
+                 seconds = passes.predicted_seconds(dofs);
+    if (begin + seconds > time)
+      throw NumericsError(
+        "estimate.budget-exceeded: the next pass would end after about " +
+        to_text(begin + seconds, 2) + " s, but the limit is " + to_text(time) +
+        " s (Budget seconds)");
   }
 
 
@@ -145,6 +165,11 @@ namespace lamella
     std::ostream nowhere(nullptr);
     auto         next = next_model(nowhere);
     out << "Pass " << number << ": " << next->results().n_dofs() << " DoFs"
+        << (passes.all().empty() ?
+              "" :
+              ", about " +
+                to_text(passes.predicted_seconds(next->results().n_dofs()), 2) +
+                " s")
         << std::endl;
     next->solve();
     check_loads(*next);
@@ -160,7 +185,8 @@ namespace lamella
     check_any_bar(pass.goals);
     for (unsigned int g = 0; g < surrogate_errors.size(); ++g)
       raise_share(pass.goals[g], Source::fields, surrogate_errors[g]);
-    pass.seconds = wall.wall_time();
+    pass.seconds =
+      dealii::Utilities::MPI::max(wall.wall_time(), communicator());
     for (const BodySummary &body : next->results().bodies)
       pass.theories +=
         (pass.theories.empty() ? "" : "; ") + body.name + " " + body.theory;
@@ -210,21 +236,6 @@ namespace lamella
 
 
 
-  std::string
-  ToleranceRun::reason_to_stop() const
-  {
-    const std::string reason = passes.reason_to_stop();
-    const double      budget = scene.goals.budget_seconds;
-    // The decision has to be the same on all processes.
-    return reason.empty() && budget > 0. &&
-               dealii::Utilities::MPI::max(wall.wall_time(), communicator()) >
-                 budget ?
-             "the budget of " + to_text(budget) + " s is spent" :
-             reason;
-  }
-
-
-
   Scene
   ToleranceRun::refined_in_sources(Scene            next,
                                    const PlanRules &plan_rules) const
@@ -259,7 +270,10 @@ namespace lamella
                                        pass_rules.min_bisected_share);
     PlanRules plan_rules;
     if (passes.degrees_stall())
-      plan_rules.corner_degree = plan_rules.first_degree;
+      {
+        plan_rules.corner_degree  = plan_rules.first_degree;
+        plan_rules.highest_degree = plan_rules.first_degree;
+      }
     Scene richer = refined_in_sources(next, plan_rules);
     if (const auto lost = surrogate_error(*simulation, richer, out, cache);
         !lost.empty() && !passes.is_loss_acceptable(lost))
@@ -269,6 +283,8 @@ namespace lamella
       }
     else if (!lost.empty())
       surrogate_errors = lost;
+    refined.divides_cells = richer.divisions != next.divisions ||
+                            richer.corner_layers != next.corner_layers;
     scene = with_min_degree(richer);
   }
 
@@ -310,11 +326,12 @@ namespace lamella
       {
         ++number;
         for (const GoalResult &goal : pass.goals)
-          text += std::to_string(number) + "," + std::to_string(pass.dofs) +
-                  "," + csv(pass.seconds) + ",\"" + goal.name + "\"," +
-                  csv(goal.value) + "," + csv(goal.estimate) + "," +
-                  (goal.trusted ? csv(goal.bar) + ",1" : ",0") +
-                  (goal.met() ? ",1\n" : ",0\n");
+          text +=
+            (CsvLine() << number << pass.dofs << pass.seconds
+                       << '"' + goal.name + '"' << goal.value << goal.estimate
+                       << (goal.trusted ? csv(goal.bar) : "") << goal.trusted
+                       << goal.met())
+              .text();
       }
     return text;
   }
@@ -373,10 +390,18 @@ namespace lamella
           }
         write_pass(directory);
         print_pass();
-        reason = reason_to_stop();
+        reason = passes.reason_to_stop();
         if (!reason.empty())
           break;
-        refine();
+        try
+          {
+            check_budgets(passes.last().dofs);
+            refine();
+          }
+        catch (const std::runtime_error &error)
+          {
+            reason = strip_period(error.what());
+          }
       }
     set_interruption_message("");
     print_results(*simulation, directory, out);

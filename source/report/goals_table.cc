@@ -2,6 +2,7 @@
 
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
+#include <lamella/report/csv_line.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/tables.h>
 
@@ -137,17 +138,17 @@ namespace lamella
     for (const GoalResult &goal : results.goals)
       {
         const NonlinearityEstimate &beyond = results.last().checks.beyond;
-        text += '"' + goal.name + '"' + "," + csv(goal.value) + "," +
-                csv(goal.estimate) + "," + csv(goal.value + goal.estimate) +
-                "," + (goal.trusted ? csv(goal.bar) : "") + "," +
-                (goal.trusted ? "1" : "0") + "," +
-                (goal.tolerance ? csv(goal.allowed_error()) : "") + "," +
-                (goal.tolerance ? (goal.met() ? "1" : "0") : "");
+        CsvLine                     line;
+        line << '"' + goal.name + '"' << goal.value << goal.estimate
+             << goal.value + goal.estimate
+             << (goal.trusted ? csv(goal.bar) : "") << goal.trusted
+             << (goal.tolerance ? csv(goal.allowed_error()) : "")
+             << (goal.tolerance ? (goal.met() ? "1" : "0") : "");
         for (const std::string &source : sources())
-          text += "," + csv(share_of(goal, source));
-        text += "," + csv(beyond.stiffening) + "," +
-                (beyond.buckling_factor ? csv(*beyond.buckling_factor) : "") +
-                "," + csv(goal.scale) + ",\"" + goal.why + "\"\n";
+          line << share_of(goal, source);
+        line << beyond.stiffening << beyond.buckling_factor << goal.scale
+             << '"' + goal.why + '"';
+        text += line.text();
       }
     return text;
   }
@@ -161,13 +162,16 @@ namespace lamella
     for (const GoalResult &goal : results.goals)
       if (goal.local)
         {
-          const std::string name = '"' + goal.name + "\",";
+          const std::string name = '"' + goal.name + '"';
           for (const ElementError &element : goal.local->elements)
-            text += name + results.bodies[element.body].name + "," +
-                    csv(element.begin) + "," + csv(element.end) + "," +
-                    csv(element.error) + "\n";
-          text += name + "(contact),,," + csv(goal.local->contact) + "\n";
-          text += name + "(remainder),,," + csv(goal.local->remainder) + "\n";
+            text += (CsvLine() << name << results.bodies[element.body].name
+                               << element.begin << element.end << element.error)
+                      .text();
+          text +=
+            (CsvLine() << name << "(contact),," << goal.local->contact).text();
+          text +=
+            (CsvLine() << name << "(remainder),," << goal.local->remainder)
+              .text();
         }
     return text;
   }

@@ -3,39 +3,24 @@
 #include <lamella/base/text.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/report/console.h>
+#include <lamella/report/csv_line.h>
 #include <lamella/report/plies_table.h>
-#include <lamella/report/tables.h>
 
 #include <algorithm>
 #include <ostream>
 
 namespace lamella
 {
-  namespace
-  {
-    std::string
-    number(const std::optional<double> &value)
-    {
-      return value ? csv(*value) : std::string();
-    }
-  } // namespace
-
-
-
   std::string
   plies_lines(const Results &results, const StepResults &step)
   {
     std::string text;
     for (const PlyReserve &row : step.plies)
-      {
-        text += std::to_string(step.step) + "," +
-                results.bodies[row.body].name + "," +
-                std::to_string(row.ply + 1) + "," + row.criterion + "," +
-                row.mode + "," + number(row.reserve) + "," + csv(row.index);
-        for (unsigned int c = 0; c < 3; ++c)
-          text += "," + csv(row.position[c]);
-        text += "," + number(row.angle) + "\n";
-      }
+      text +=
+        (CsvLine() << step.step << results.bodies[row.body].name << row.ply + 1
+                   << row.criterion << row.mode << row.reserve << row.index
+                   << row.position << row.angle)
+          .text();
     return text;
   }
 
@@ -46,14 +31,10 @@ namespace lamella
   {
     std::string text;
     for (const ReserveAlong &row : step.plies_along)
-      {
-        text += std::to_string(step.step) + "," +
-                results.bodies[row.body].name + "," +
-                std::to_string(row.ply + 1) + "," + csv(row.s);
-        for (unsigned int c = 0; c < 3; ++c)
-          text += "," + csv(row.position[c]);
-        text += "," + number(row.inverse_reserve) + "\n";
-      }
+      text +=
+        (CsvLine() << step.step << results.bodies[row.body].name << row.ply + 1
+                   << row.s << row.position << row.inverse_reserve)
+          .text();
     return text;
   }
 

@@ -2,6 +2,7 @@
 
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
+#include <lamella/report/csv_line.h>
 #include <lamella/report/plies_table.h>
 #include <lamella/report/tables.h>
 
@@ -47,18 +48,6 @@ namespace lamella
 
 
 
-    template <int n>
-    std::string
-    components(const Tensor<1, n> &v)
-    {
-      std::string text;
-      for (unsigned int c = 0; c < n; ++c)
-        text += "," + csv(v[c]);
-      return text;
-    }
-
-
-
     /// Names of columns common to the tables of probes, lines and cuts.
     std::string
     fields_header()
@@ -68,15 +57,14 @@ namespace lamella
 
 
 
-    /// Values of @p row in these columns; plies are numbered from 1.
+    /// Appends @p row in these columns; plies are numbered from 1.
     std::string
-    fields_line(const FieldRow &row)
+    fields_line(CsvLine &line, const FieldRow &row)
     {
-      std::string line =
-        row.body + "," + std::to_string(row.ply + 1) + components(row.position);
+      line << row.body << row.ply + 1 << row.position;
       for (const double value : field_values(row.sample))
-        line.append(",").append(csv(value));
-      return line;
+        line << value;
+      return line.text();
     }
 
 
@@ -90,15 +78,12 @@ namespace lamella
                "";
     }
 
-    std::string
-    rotation_cells(const StepResults &step)
+    void
+    add_rotations(const StepResults &step, CsvLine &line)
     {
-      if (!step.checks.is_large)
-        return "";
-      return "," + std::to_string(step.state.iterations) + "," +
-             std::to_string(step.halvings) + "," + csv(step.checks.max_strain) +
-             "," + csv(step.checks.max_rotation) + "," +
-             csv(step.checks.max_element_rotation);
+      if (step.checks.is_large)
+        line << step.state.iterations << step.halvings << step.checks.max_strain
+             << step.checks.max_rotation << step.checks.max_element_rotation;
     }
 
 
@@ -106,23 +91,22 @@ namespace lamella
     /// Forces, displacements and moments of @p state, a StepResults or a
     /// FailureTrial, as history_header() names them.
     template <typename StateOfLoad>
-    std::string
-    forces_and_displacements(const StateOfLoad &state)
+    CsvLine &
+    add_state(const StateOfLoad &state, CsvLine &line)
     {
-      std::string line;
       for (const Resultant &reaction : state.checks.reactions)
-        line += components(reaction.force);
+        line << reaction.force;
       for (const KktResidual &contact : state.checks.contacts)
-        line += components(contact.force);
+        line << contact.force;
       for (const std::vector<FieldRow> &plies : state.probes)
-        line += components(plies.front().sample.displacement);
+        line << plies.front().sample.displacement;
       for (const Resultant &reaction : state.checks.reactions)
-        line += components(reaction.moment);
+        line << reaction.moment;
       for (const KktResidual &contact : state.checks.contacts)
-        line += components(contact.moment);
+        line << contact.moment;
       for (const KktResidual &contact : state.checks.contacts)
         if (contact.obstacle_displacement)
-          line += components(*contact.obstacle_displacement);
+          line << *contact.obstacle_displacement;
       return line;
     }
 
@@ -135,24 +119,17 @@ namespace lamella
       for (const ContactRow &row : rows)
         {
           const ContactInterface::Point &at = row.point;
-          text += std::to_string(step) + components(at.first) +
-                  components(at.second) + components(at.normal);
-          for (const double value : {at.area,
-                                     row.initial_gap,
-                                     row.gap,
-                                     row.force,
-                                     row.force / at.area})
-            text += "," + csv(value);
-          text += row.touches() ? ",1" : ",0";
+          CsvLine                        line;
+          line << step << at.first << at.second << at.normal << at.area
+               << row.initial_gap << row.gap << row.force << row.force / at.area
+               << row.touches();
           if (row.friction)
-            text += std::string(",") +
-                    (!row.touches()      ? "open" :
+            line << (!row.touches()      ? "open" :
                      row.friction->slips ? "slip" :
-                                           "stick") +
-                    components(row.friction->shear) + "," +
-                    csv(row.friction->length) + "," +
-                    csv(row.friction->dissipated / at.area);
-          text += "\n";
+                                           "stick")
+                 << row.friction->shear << row.friction->length
+                 << row.friction->dissipated / at.area;
+          text += line.text();
         }
       return text;
     }
@@ -198,23 +175,22 @@ namespace lamella
   FileTexts
   table_rows(const Results &results, const StepResults &step)
   {
-    const std::string number = std::to_string(step.step);
-    FileTexts         rows;
+    FileTexts rows;
     for (unsigned int p = 0; p < step.probes.size(); ++p)
       for (const FieldRow &row : step.probes[p])
         rows["probes.csv"] +=
-          number + "," + results.probes[p] + "," + fields_line(row) + "\n";
+          fields_line(CsvLine() << step.step << results.probes[p], row);
     for (unsigned int l = 0; l < step.lines.size(); ++l)
       for (const LineRow &row : step.lines[l])
         rows["lines/" + results.lines[l] + ".csv"] +=
-          csv(row.s) + "," + number + "," + results.lines[l] + "," +
-          fields_line(row.fields) + "\n";
+          fields_line(CsvLine() << row.s << step.step << results.lines[l],
+                      row.fields);
     for (unsigned int c = 0; c < step.cuts.size(); ++c)
       for (const CutRow &row : step.cuts[c])
         rows["cuts/" + results.cuts[c] + ".csv"] +=
-          number + "," + results.cuts[c] + "," + std::to_string(row.cell) +
-          "," + std::to_string(row.i) + "," + std::to_string(row.j) + "," +
-          fields_line(row.fields) + "\n";
+          fields_line(CsvLine() << step.step << results.cuts[c] << row.cell
+                                << row.i << row.j,
+                      row.fields);
     for (unsigned int k = 0; k < step.contacts.size(); ++k)
       rows["contact_" + results.contacts[k].name + ".csv"] =
         contact_rows(step.step, step.contacts[k]);
@@ -223,12 +199,12 @@ namespace lamella
         rows["plies.csv"]       = plies_lines(results, step);
         rows["plies_along.csv"] = plies_along_lines(results, step);
       }
-    rows["history.csv"] = std::to_string(step.step) + "," +
-                          csv(step.load_factor.of_scene()) +
-                          forces_and_displacements(step);
+    CsvLine history;
+    add_state(step, history << step.step << step.load_factor.of_scene());
     for (const double measure : step.measures)
-      rows["history.csv"] += "," + csv(measure);
-    rows["history.csv"] += rotation_cells(step) + "\n";
+      history << measure;
+    add_rotations(step, history);
+    rows["history.csv"] = history.text();
     return rows;
   }
 
@@ -246,9 +222,8 @@ namespace lamella
     std::string text =
       "load_factor,reserve_factor" + history_header(results) + "\n";
     for (const FailureTrial &trial : trials)
-      text += csv(trial.load_factor) + "," +
-              (trial.reserve ? csv(*trial.reserve) : "") +
-              forces_and_displacements(trial) + "\n";
+      text += add_state(trial, CsvLine() << trial.load_factor << trial.reserve)
+                .text();
     return text;
   }
 
@@ -310,10 +285,10 @@ namespace lamella
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
             const dealii::Point<3> &place = nodes[k].position;
-            text += body->name() + "," + std::to_string(k + 1) + "," +
-                    csv(place.distance(nodes.front().position)) +
-                    components(place) + "," + std::to_string(nodes[k].fields) +
-                    "\n";
+            text += (CsvLine() << body->name() << k + 1
+                               << place.distance(nodes.front().position)
+                               << place << nodes[k].fields)
+                      .text();
           }
       }
     return text;
@@ -340,7 +315,7 @@ namespace lamella
           const double   t    = double(forwards ? i : n - i) / n;
           const Point<2> unit = f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
           const Point<2> x    = mapping.transform_unit_to_real_cell(cell, unit);
-          side += (i == 0 ? "," : ";") + csv(x[0]) + " " + csv(x[1]);
+          side += (i == 0 ? "" : ";") + csv(x[0]) + " " + csv(x[1]);
         }
       return side;
     }
@@ -363,23 +338,23 @@ namespace lamella
     table += "\n";
     for (const auto &cell : section.mesh.active_cell_iterators())
       {
-        const Ply  &ply = section.plies[cell->material_id()];
-        std::string names, sides;
-        for (const auto &[f, forwards] : around)
+        const Ply &ply = section.plies[cell->material_id()];
+        CsvLine    line;
+        line << cell->active_cell_index() << cell->material_id() + 1
+             << ply.plane.wall << ply.material << ply.angle
+             << ply.plane.at(
+                  mapping.transform_unit_to_real_cell(cell,
+                                                      Point<2>(0.5, 0.5)));
+        for (const auto &side : around)
           {
-            const auto face = cell->face(f);
-            names += ",";
-            if (face->at_boundary())
-              names += section.boundaries.at(face->boundary_id());
-            sides += side_points(cell, f, forwards, mapping);
+            const auto face = cell->face(side.first);
+            line << (face->at_boundary() ?
+                       section.boundaries.at(face->boundary_id()) :
+                       "");
           }
-        const Tensor<1, 2> normal = ply.plane.at(
-          mapping.transform_unit_to_real_cell(cell, Point<2>(0.5, 0.5)));
-        table += std::to_string(cell->active_cell_index()) + "," +
-                 std::to_string(cell->material_id() + 1) + "," +
-                 ply.plane.wall + "," + ply.material + "," + csv(ply.angle) +
-                 "," + csv(normal[0]) + "," + csv(normal[1]) + names + sides +
-                 "\n";
+        for (const auto &[f, forwards] : around)
+          line << side_points(cell, f, forwards, mapping);
+        table += line.text();
       }
     return table;
   }

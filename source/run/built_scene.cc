@@ -376,26 +376,19 @@ namespace lamella
                                 given.solve.stress_axes == StressAxes::scene);
     for (const Measure &measure : given.measures)
       places->check(measure.quantity);
-    given.goals.quantities = with_resolved_plies(given.goals.quantities);
+    // A stress of an entry `References` on a ply interface is evaluated in the
+    // lower ply; others must name a ply.
+    for (NamedQuantity &goal : given.goals.quantities)
+      {
+        if (goal.path == references_path)
+          goal = places->in_lower_ply(goal);
+        places->check(goal);
+      }
     units_check = std::make_unique<Plausibility>(*whole, given.units, contacts);
     if (!given.strength.criteria.empty())
       sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
     if (given.find_first_failure)
       check_load_growth(*whole, contacts);
-  }
-
-
-
-  std::vector<NamedQuantity>
-  BuiltScene::with_resolved_plies(std::vector<NamedQuantity> quantities) const
-  {
-    for (NamedQuantity &quantity : quantities)
-      {
-        if (quantity.path == references_path)
-          quantity = places->in_lower_ply(quantity);
-        places->check(quantity);
-      }
-    return quantities;
   }
 
 

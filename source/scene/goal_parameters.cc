@@ -20,8 +20,9 @@ namespace lamella
       prm.declare_entry("Budget seconds",
                         "0",
                         patterns::number(),
-                        "For a run with a Tolerance: time in seconds after "
-                        "which no new refinement pass begins; 0: no limit.");
+                        "For a run with a Tolerance: time in seconds from the "
+                        "start of the run; a refinement pass that is predicted "
+                        "to end later is not begun. 0: no limit.");
     }
   } // namespace
 

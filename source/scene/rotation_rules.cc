@@ -59,13 +59,13 @@ namespace lamella
 
     /// Returns whether @p roller would touch @p body between its surface
     /// points, which are too coarse, so that the nearest line is needed.
-    /// Automatic axes are fine enough for small rotations.
+    /// Automatic axes are graded later, but not to spacings of 6e-3 radii.
     bool
     needs_line_contact(const BodyDescription &body, const Obstacle &roller)
     {
       const AxisMesh &axis = body.axis;
       if (axis.refinement_factor > 0.)
-        return body.has_finite_rotations;
+        return true;
       const double at   = body.placement.to_body(roller.point)[1];
       double       from = 0., length = 0.;
       for (unsigned int piece = 0; piece < axis.elements.size(); ++piece)

@@ -14,6 +14,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 namespace lamella
 {
   using nlohmann::json;
@@ -100,20 +102,28 @@ namespace lamella
 
 
 
-    /// Returns the resolved parameters of the scene with @p overrides, or the
-    /// overrides if it is not valid, which the run of the variant reports.
-    std::string
+    /// Returns the resolved parameters of the scene with @p overrides, and the
+    /// mesh files that it reads. If it is not valid, which the run of the
+    /// variant reports, the former are the overrides.
+    json
     parameters_with(const std::string              &scene_file,
                     const std::vector<std::string> &overrides)
     {
+      json files = json::array();
       try
         {
-          return without_trade(
-            read_scene(SceneText::read(scene_file, overrides)).resolved);
+          const Scene scene =
+            read_scene(SceneText::read(scene_file, overrides));
+          for (const auto &section : scene.sections)
+            if (const auto *file = std::get_if<SectionFile>(&section.second))
+              files.push_back(file->path);
+          return {{"fingerprint", without_trade(scene.resolved)},
+                  {"files", files}};
         }
       catch (const InputError &error)
         {
-          return joined(overrides, "\n") + "\n" + error.what();
+          return {{"fingerprint", joined(overrides, "\n") + error.what()},
+                  {"files", files}};
         }
     }
 
@@ -150,19 +160,20 @@ namespace lamella
       try
         {
           const auto goals = goals_of(entry, scene),
-                     own   = make_variant(entry, scene).overrides;
-          // Values of further quantities need no run of a given model.
-          const bool estimates = entry.tolerance || scene.trade.error_bars;
-          return {{"failure", ""},
-                  {"overrides",
-                   command.overrides + goals + own +
-                     std::vector<std::string>{"Write VTU=false"}},
-                  {"fingerprint",
-                   parameters_with(command.scene,
-                                   command.overrides +
-                                     (estimates ? goals + own : own)) +
-                     (estimates ? ", with error bars" : "") + ", " + version() +
-                     ", threads " + std::to_string(command.threads)}};
+                     own   = overrides_of(entry, scene);
+          // Fewer quantities need no other run of a given model.
+          const bool estimates  = entry.tolerance || scene.trade.error_bars;
+          json       result     = parameters_with(command.scene,
+                                        command.overrides +
+                                          (estimates ? goals + own : own));
+          result["fingerprint"] = result["fingerprint"].get<std::string>() +
+                                  (estimates ? ", with error bars" : "") +
+                                  ", " + version() + ", threads " +
+                                  std::to_string(command.threads);
+          result["failure"]   = "";
+          result["overrides"] = command.overrides + goals + own +
+                                std::vector<std::string>{"Write VTU=false"};
+          return result;
         }
       catch (const InputError &error)
         {
@@ -214,9 +225,6 @@ namespace lamella
                 {"files", {command.scene, executable_path()}},
                 {"variants", json::array()},
                 {"quantities", json::array()}};
-      for (const auto &[name, shape] : scene.sections)
-        if (const auto *file = std::get_if<SectionFile>(&shape))
-          plan["files"].push_back(file->path);
       for (const NamedQuantity &quantity : trade.quantities)
         plan["quantities"].push_back(
           {{"label", quantity.label()},
@@ -239,13 +247,15 @@ namespace lamella
     if (python.empty())
       throw InputError("trade.no-python: a trade needs python3, which was not "
                        "found. Install the package python3.");
-    OutputFile file(command.output + "/variants/plan.json");
+    const std::string plan =
+      command.output + "/variants/plan-" + std::to_string(getpid()) + ".json";
+    OutputFile file(plan);
     file.stream() << plan_of(command, scene).dump(1) << "\n";
     if (!file.commit())
       throw InputError("trade.folder-not-writable: results cannot be written "
                        "into this folder. Name another folder.")
         .at("--output " + command.output + ": ");
-    exec_program(python,
-                 {"-X", "utf8", path_of_script("trade.py"), command.output});
+    exec_program(
+      python, {"-X", "utf8", path_of_script("trade.py"), command.output, plan});
   }
 } // namespace lamella

@@ -225,30 +225,25 @@ namespace lamella
       "Goals/Quantities=" + quantities_of(scene.trade),
       std::string("Goals/Error bars=") +
         (scene.trade.error_bars ? "true" : "false")};
-    // One for each of other quantities would not do, nor one in their units.
-    std::optional<double> least;
-    for (const Tolerance &tolerance : scene.goals.tolerances)
-      if (!tolerance.is_absolute && scene.trade.error_bars)
-        least = std::min(least.value_or(tolerance.size), tolerance.size);
+    // A tolerance, and what limits its passes, would make it another run.
     if (!scene.goals.tolerances.empty())
-      overrides.push_back("Goals/Tolerance=" +
-                          (least ? to_text(100. * *least, 15) : ""));
+      for (const char *entry :
+           {"Tolerance=", "Budget DoFs=0", "Budget seconds=0"})
+        overrides.push_back(std::string("Goals/") + entry);
     return overrides;
   }
 
 
 
-  Variant
-  make_variant(const TradeVariant &entry, const Scene &scene)
+  std::vector<std::string>
+  overrides_of(const TradeVariant &entry, const Scene &scene)
   {
-    Variant variant{entry.name,
-                    entry.theory,
-                    entry.tolerance ?
-                      run_to_tolerance(*entry.tolerance, scene) :
-                      run_of_theory(entry, scene)};
-    variant.overrides.insert(variant.overrides.end(),
-                             entry.overrides.begin(),
-                             entry.overrides.end());
-    return variant;
+    std::vector<std::string> overrides =
+      entry.tolerance ? run_to_tolerance(*entry.tolerance, scene) :
+                        run_of_theory(entry, scene);
+    overrides.insert(overrides.end(),
+                     entry.overrides.begin(),
+                     entry.overrides.end());
+    return overrides;
   }
 } // namespace lamella

@@ -91,11 +91,15 @@ def check_tolerance_run(program, scene, output):
 
 
 def check_trade(program, scene, output):
-    words = [program, "trade", scene, "--output", str(output)]
-    status, errors = interrupted(words, "Variant 2 ", signal.SIGINT)
-    expect(status == -signal.SIGINT, f"a trade ends by the signal ({status})")
-    told = f"{output}/variants has the variants before this one. The same command goes on with it."
-    expect(told in errors and list(output.glob("variants/01_*/variant.json")), errors.strip())
+    for number in (signal.SIGINT, signal.SIGTERM):
+        folder = output / number.name
+        words = [program, "trade", scene, "--output", str(folder)]
+        status, errors = interrupted(words, "Variant 2 ", number)
+        expect(status == -number, f"a trade ends by the signal ({status})")
+        told = (f"{folder}/variants has the variants before this one. The same command goes on "
+                "with it.")
+        expect(told in errors and list(folder.glob("variants/01_*/variant.json")), errors.strip())
+        expect(len(errors.strip().splitlines()) == 1, "one line")
 
 
 def check_revised(program, folder):

@@ -420,6 +420,28 @@ def check_goals(program, scene, workdir):
            f"nothing is called sure by a variant that is {100 * error:.0f} % off")
 
 
+def check_given_models(program, scene, workdir):
+    """A scene to a tolerance: variants are its given models. Records are of their own plies."""
+    trade = Trade(program, scene, workdir / "given")
+    done = trade.run("Trade/Variants=EBBT | TBT", "Trade/Quantities=interface/1: syy",
+                     "Trade/Error bars=true", "Goals/Tolerance=2", "Goals/Budget DoFs=100000")
+    expect(done.returncode == 0 and {row["dofs"] for row in trade.table()} == {"35"},
+           f"a Tolerance of the scene refines no variant {done.stderr}")
+    values = []
+    for ply in (1, 2):
+        done = trade.run("Trade/Variants=EBBT | TBT", f"Trade/Quantities=interface/{ply}: syy",
+                         "Goals/Tolerance=2", "Goals/Budget DoFs=100000")
+        values.append(trade.table()[0]["value"])
+    expect(done.returncode == 0 and values[0] != values[1],
+           f"another ply is another quantity {values} {done.stderr}")
+    words = [*trade.words, "--jobs", "2", "--output", str(workdir / "jobs"), "--set",
+             "Trade/Variants=EBBT | TBT | TE-2", "--set", "Trade/Quantities=interface/2: syy"]
+    done = subprocess.run(words, capture_output=True, text=True)
+    rows = read(workdir / "jobs/trade.csv")
+    expect(done.returncode == 0 and [row["variant"] for row in rows] == ["EBBT", "TBT", "TE-2"]
+           and rows[0]["value"] == values[1], f"two at a time are the same {done.stderr}")
+
+
 def check_large(program, scene, workdir):
     """Variants that turn by any angle, and one that cannot."""
     bends = scene.parents[1] / "scenes/turning_spatial.prm"
@@ -448,6 +470,7 @@ def main():
     check_time_limit(program, scene, workdir)
     check_changed(program, scene, workdir)
     check_goals(program, scene, workdir)
+    check_given_models(program, scene, workdir)
     check_large(program, scene, workdir)
     sys.exit(1 if faults else 0)
 

@@ -34,9 +34,11 @@ namespace
   }
 
   GoalResult
-  goal_without_bar(const double value)
+  goal_without_bar(const double value,
+                   const double axis    = 0.5,
+                   const double section = 0.01)
   {
-    GoalResult goal = goal_of(value, {{"axis", 0.01}, {"section", 0.5}});
+    GoalResult goal = goal_of(value, {{"axis", axis}, {"section", section}});
     goal.trusted    = false;
     goal.estimate   = 0.3;
     goal.why        = "it grows";
@@ -173,14 +175,74 @@ BOOST_AUTO_TEST_CASE(a_bar_that_no_pass_shortens_ends_the_run)
     passes.add(pass_of({goal_of(1., {{"axis", bar}})}), {{Source::contact}});
     return passes.reason_to_stop().empty();
   };
-  // It may grow at first: a coarse axis does not see all.
+  // A third less than the longer one of two passes before is enough.
   BOOST_TEST(add(0.03));
-  BOOST_TEST(add(0.09));
-  BOOST_TEST(add(0.08));
-  BOOST_TEST(add(0.04));
-  BOOST_TEST(add(0.039));
-  BOOST_TEST(add(0.038));
-  BOOST_TEST(!add(0.037));
+  BOOST_TEST(add(0.1));
+  BOOST_TEST(add(0.066));
+  BOOST_TEST(add(0.065));
+  BOOST_TEST(!add(0.045));
+  // The first bar of a goal has none to be shorter than.
+  Passes     late;
+  const auto add_first = [&late](const GoalResult &goal) {
+    late.add(pass_of({goal}), {{Source::axis}});
+  };
+  add_first(goal_without_bar(1.));
+  add_first(goal_without_bar(1.001));
+  add_first(goal_of(1.002, {{"axis", 0.5}}));
+  BOOST_TEST(late.dropped_goals().empty());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(cells_are_divided_before_a_number_is_given_up)
+{
+  const auto dividing = [](const bool divides) {
+    PassRefinement refined;
+    refined.sources       = {Source::section};
+    refined.divides_cells = divides;
+    return refined;
+  };
+  const auto of_section = [](const double value) {
+    return pass_of({goal_without_bar(value, 0.01, 0.5)});
+  };
+  Passes passes;
+  passes.add(of_section(1.));
+  passes.add(of_section(1.2), dividing(false));
+  // No bar, and large changes: but by a higher degree alone.
+  BOOST_TEST(passes.dropped_goals().empty());
+  BOOST_TEST(passes.degrees_stall());
+  Passes other = passes;
+  // A long bar is a beginning; two more passes have to shorten it.
+  const auto with_bar = [](const double bar) {
+    return pass_of({goal_of(1.1, {{"axis", 0.01}, {"section", bar}})});
+  };
+  passes.add(with_bar(2.), dividing(true));
+  passes.add(with_bar(1.9), dividing(false));
+  BOOST_TEST(passes.dropped_goals().empty());
+  passes.add(with_bar(1.8), dividing(false));
+  BOOST_REQUIRE(passes.dropped_goals().size() == 1u);
+  BOOST_TEST(passes.dropped_goals().front() ==
+             "no further refinement pass is made for tip: uz: its error bar "
+             "has not decreased by a third in two passes");
+  // If it has none after that, there is no other remedy.
+  other.add(of_section(1.1), dividing(true));
+  BOOST_TEST(other.dropped_goals().size() == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(seconds_are_predicted_by_unknowns)
+{
+  Passes passes;
+  Pass   pass  = pass_of({goal_of(1., {{"axis", 0.03}})});
+  pass.dofs    = 50;
+  pass.seconds = 3.;
+  passes.add(pass);
+  BOOST_TEST(std::abs(passes.predicted_seconds(200.) - 24.) < 1e-12);
+  pass.dofs    = 100;
+  pass.seconds = 5.;
+  passes.add(pass, {{Source::axis}});
+  BOOST_TEST(std::abs(passes.predicted_seconds(400.) - 16.) < 1e-12);
 }
 
 

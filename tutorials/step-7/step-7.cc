@@ -92,7 +92,7 @@ BendingTest::BendingTest()
 
 
 
-// A variant is the same text with a few entries replaced, which make_variant()
+// A variant is the same text with a few entries replaced, which overrides_of()
 // names: its theory, its elements, its cells. Whatever goes wrong with one (no
 // memory, no convergence) is a result as well, and no reason not to try the
 // others.
@@ -110,9 +110,8 @@ BendingTest::climb(const TradeVariant &entry)
     {
       dealii::Timer wall;
       std::ostream  quiet(nullptr);
-      const Variant variant = make_variant(entry, scene);
       const Scene   changed =
-        read_scene(SceneText::read(file, variant.overrides));
+        read_scene(SceneText::read(file, overrides_of(entry, scene)));
       Simulation     simulation(changed, quiet);
       const Results &results = simulation.solve();
       result.seconds         = wall.wall_time();

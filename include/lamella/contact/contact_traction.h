@@ -116,13 +116,6 @@ namespace lamella
       return all;
     }
 
-    /// Returns points without a constraint that have dissipated energy.
-    const std::vector<Dissipation> &
-    left() const
-    {
-      return points_left;
-    }
-
     /// Returns the slave surface; null if unknown.
     const std::shared_ptr<const SlaveSurface> &
     surface() const

@@ -109,13 +109,6 @@ namespace lamella
     std::vector<std::vector<std::vector<unsigned int>>>
     lines(const unsigned int axis, const unsigned int across) const;
 
-    /// Returns the kind of the shape functions of the constraints.
-    Functions
-    functions() const
-    {
-      return kind;
-    }
-
     /// Returns the number of constraints.
     unsigned int
     n_rows() const

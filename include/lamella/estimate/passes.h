@@ -22,11 +22,14 @@ namespace lamella
     /// A goal is dropped (not refined any further) if it has no bar in this
     /// many passes and changes by more than its tolerance in the last of them.
     unsigned int patience = 2;
-    /// A goal is dropped if its bar is above the fraction min_progress of its
-    /// largest bar in this many previous passes.
-    unsigned int slow_passes = 3;
-    /// Fraction of earlier bars above which progress is slow (slow_passes).
-    double min_progress = 0.5;
+    /// A goal is dropped if its bar is above the fraction min_progress of the
+    /// largest bar of this many passes before.
+    unsigned int slow_passes = 2;
+    /// Fraction of an earlier bar above which progress is slow (slow_passes).
+    double min_progress = 2. / 3.;
+    /// Seconds of a pass with n DoFs are predicted proportional to n to this
+    /// power: 1.4 to 1.64 in the passes of `tests/scenes/nose_on_strip.prm`.
+    double cost_exponent = 1.5;
     /// Largest ratio of section errors of successive degrees for which the
     /// degree is raised again; above it, a corner limits convergence.
     double       max_degree_ratio = 0.5;
@@ -53,6 +56,8 @@ namespace lamella
     std::vector<Source> sources; ///< Refined error sources (mesh, theory, ...).
     /// Bisected axis elements if the axis is refined; if empty, all elements.
     std::optional<std::vector<ElementError>> marked = {};
+    /// True if section cells are divided in place of a higher degree.
+    bool divides_cells = false;
   };
 
   /// Results of a goal in the two passes before the last, with refinements.
@@ -85,7 +90,8 @@ namespace lamella
   /// - met: its bar is within its tolerance, and its value changed since the
   ///   previous pass by at most the bar of the previous pass;
   /// - dropped: not refined any further (PassRules), since its value may have
-  ///   no limit, for example at a point load;
+  ///   no limit, for example at a point load, or its bar does not decrease. The
+  ///   count begins anew with the first pass that divides section cells;
   /// - open: neither met nor dropped. The next pass refines for open goals that
   ///   have a bar, or for all open goals if none has a bar.
   class Passes
@@ -145,6 +151,10 @@ namespace lamella
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 
+    /// Returns the predicted wall time [s] of the next pass with @p dofs DoFs.
+    double
+    predicted_seconds(const double dofs) const;
+
     /// Returns the largest ratio of the change of a goal since the previous
     /// pass to its tolerance; 0 after the first pass.
     double
@@ -166,6 +176,8 @@ namespace lamella
     PassRules                   rules;
     std::vector<Pass>           made;
     std::vector<PassRefinement> refinements; ///< Refinement of each pass.
+    /// Number of passes before the first that divides section cells, or 0.
+    std::size_t before_division = 0;
     /// Pass (from 1) in which each goal was dropped; 0 if it was not.
     std::vector<unsigned int> dropped_in_pass;
   };

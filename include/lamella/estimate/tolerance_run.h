@@ -54,6 +54,9 @@ namespace lamella
     /// Returns the simulation of `scene`, with messages to @p progress.
     std::unique_ptr<Simulation>
     next_model(std::ostream &progress);
+    /// Throws NumericsError if a pass with @p dofs DoFs exceeds a budget.
+    void
+    check_budgets(const double dofs) const;
     /// Solves `scene` and computes the error bars of its goals.
     void
     make_pass();
@@ -75,9 +78,6 @@ namespace lamella
     /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);
-    /// Returns the reason why no further pass follows; empty if one follows.
-    std::string
-    reason_to_stop() const;
     void
     print_pass() const;
     /// Prints that the run has ended, with @p reason.

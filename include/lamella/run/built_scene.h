@@ -141,12 +141,6 @@ namespace lamella
       return *units_check;
     }
 
-    /// Returns @p quantities (such as goals) after a check of their plies. A
-    /// stress of an entry `References` on a ply interface is evaluated in the
-    /// lower ply; others must name a ply. Throws InputError (Sampler::check()).
-    std::vector<NamedQuantity>
-    with_resolved_plies(std::vector<NamedQuantity> quantities) const;
-
     /// Returns the tractions of loads, supports and contacts on the faces of
     /// bodies in the equilibrium @p state at the load factor @p factor.
     FaceTractions

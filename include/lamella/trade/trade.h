@@ -14,8 +14,8 @@
 namespace lamella
 {
   /// Implements `lamella trade SCENE.prm`: checks the subsection Trade of @p
-  /// scene, writes the variants with their overrides to variants/plan.json in
-  /// the folder CommandLine::output, and replaces this process by
+  /// scene, writes the variants with their overrides to variants/plan-PID.json
+  /// in the folder CommandLine::output, and replaces this process by
   /// scripts/trade.py, which runs them (doc/guides/convergence-study.md). A
   /// variant whose overrides cannot be formed is stored with the reason. MPI
   /// must not be initialized. Throws InputError for invalid variants, a missing

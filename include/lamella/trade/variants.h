@@ -10,19 +10,9 @@
 
 namespace lamella
 {
-  /// Variant of a scene: changed entries of the scene file (overrides).
-  struct Variant
-  {
-    /// Name in the scene file, such as `LE-2, axis 2`.
-    std::string name;
-    /// Theory, such as `LE-2`; `tolerance 1` for a solution to 1 % error.
-    std::string theory;
-    /// Changed entries PATH=VALUE, applied after those of the option --set.
-    std::vector<std::string> overrides;
-  };
-
-  /// Returns the variant of @p scene that @p entry describes, with overrides
-  /// for h-refinement (factors) and p-refinement (theories).
+  /// Returns the changed entries PATH=VALUE (overrides) of the variant @p entry
+  /// of @p scene, for h-refinement (factors) and p-refinement (theories). They
+  /// are applied after those of the option --set.
   ///
   /// For each body of the trade, the overrides set the theory and the number of
   /// axis elements times the axis factor (rounded, at least 1). For sections of
@@ -41,8 +31,8 @@ namespace lamella
   /// `auto` for the theory of the scene and for theory and axis elements of the
   /// bodies of the trade; other bodies are refined, too. The compared
   /// quantities are the goals of these runs.
-  Variant
-  make_variant(const TradeVariant &entry, const Scene &scene);
+  std::vector<std::string>
+  overrides_of(const TradeVariant &entry, const Scene &scene);
 
   /// Returns overrides that make the compared quantities of @p scene the goals
   /// of the variant @p entry, with error bars if `Trade/Error bars` is true,
