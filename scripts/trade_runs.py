@@ -208,7 +208,10 @@ class Runs:
                 record["numbers"] = numbers
             if seconds < record["seconds"]:
                 record["seconds"] = seconds
-                record["numbers"].update(memory=numbers["memory"], phases=numbers["phases"])
+                record["numbers"]["phases"] = numbers["phases"]
+                if not variant["estimates"]:
+                    # That of bars is part of it.
+                    record["numbers"]["memory"] = numbers["memory"]
                 if k > 0 and not variant["estimates"]:
                     shutil.rmtree(kept)
                     again.rename(kept)

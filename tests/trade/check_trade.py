@@ -442,6 +442,20 @@ def check_given_models(program, scene, workdir):
            and rows[0]["value"] == values[1], f"two at a time are the same {done.stderr}")
 
 
+def check_mesh_file(program, scene, workdir):
+    """A record is of the mesh file that it was made with."""
+    guide = scene.parents[2] / "prm/guides"
+    for name in ("section-from-gmsh.prm", "section-from-gmsh.msh"):
+        shutil.copy(guide / name, workdir)
+    trade = Trade(program, workdir / "section-from-gmsh.prm", workdir / "mesh")
+    said = []
+    for _ in range(3):
+        said.append(trade.run("Trade/Variants=TBT | LE-1").stdout.count("(of an earlier trade)"))
+        if len(said) == 2:
+            (workdir / "section-from-gmsh.msh").touch()
+    expect(said == [0, 2, 0], f"another mesh file is another scene {said}")
+
+
 def check_large(program, scene, workdir):
     """Variants that turn by any angle, and one that cannot."""
     bends = scene.parents[1] / "scenes/turning_spatial.prm"
@@ -471,6 +485,7 @@ def main():
     check_changed(program, scene, workdir)
     check_goals(program, scene, workdir)
     check_given_models(program, scene, workdir)
+    check_mesh_file(program, scene, workdir)
     check_large(program, scene, workdir)
     sys.exit(1 if faults else 0)
 

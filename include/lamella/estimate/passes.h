@@ -30,8 +30,9 @@ namespace lamella
     /// Seconds of a pass with n DoFs are predicted proportional to n to this
     /// power: 1.4 to 1.64 in the passes of `tests/scenes/nose_on_strip.prm`.
     double cost_exponent = 1.5;
-    /// Largest ratio of section errors of successive degrees for which the
-    /// degree is raised again; above it, a corner limits convergence.
+    /// Largest ratio of the section error of a degree to that of the degree
+    /// before for which the degree is raised again; above it, corners or large
+    /// cells limit convergence.
     double       max_degree_ratio = 0.5;
     unsigned int max_passes       = 8; ///< Largest number of refinement passes.
     /// Largest error of elements that are not bisected, fraction of tolerance.

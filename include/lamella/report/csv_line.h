@@ -15,8 +15,9 @@ namespace lamella
   class CsvLine
   {
   public:
-    /// Appends @p cell: a text, a number (csv()), 1 or 0 for true and false, a
-    /// value that may be absent (an empty cell), or the components of a tensor.
+    /// Appends @p cell: a text (not quoted), a number (csv()), 1 or 0 for true
+    /// and false, a value that may be absent (an empty cell), or the components
+    /// of a tensor.
     template <typename Cell>
     CsvLine &
     operator<<(const Cell &cell)
@@ -37,7 +38,7 @@ namespace lamella
       return *this;
     }
 
-    /// Returns the line with its end.
+    /// Returns the line with a newline.
     std::string
     text() const
     {
