@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/interruption.h>
 #include <lamella/base/memory.h>
@@ -19,7 +20,9 @@
 #include <lamella/trade/trade.h>
 
 #include <chrono>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <thread>
 
 namespace
@@ -164,12 +167,24 @@ namespace
 
 
 
+  /// Returns a line per message: identifier, kind and text, with tabs between.
+  std::string
+  diagnostics()
+  {
+    std::ifstream file(path_of_script("messages.txt"));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+
+
   void
   run(const CommandLine &command)
   {
-    if (command.help || command.version)
+    if (command.help || command.version || command.list_diagnostics)
       {
-        output() << (command.help ? usage() : full_version());
+        output() << (command.help    ? usage() :
+                     command.version ? full_version() :
+                                       diagnostics());
         return;
       }
     require_one_process(command);

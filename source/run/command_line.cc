@@ -41,6 +41,7 @@ runs as it is, to begin with.
   --contact-stiffness K of an exported deck [force/length^3] (default: auto)
   --kind KIND           of a new scene: three-point (default), four-point,
                         short-beam, leaf-spring or indentation
+  --list-diagnostics    print identifier, kind and text of all messages
   --version             with the commit and the libraries that it was built with
   --help
 
@@ -145,8 +146,9 @@ by Ctrl-C, which says what stands in the folder and how to go on.
         throw InputError(
           "run.options-conflict: --resume continues a run, so --validate and "
           "--print-parameters have no use with it. Remove these two options.");
-      const bool needs_scene =
-        !command.version && !command.help && !command.print_parameters;
+      const bool needs_scene = !command.version && !command.help &&
+                               !command.print_parameters &&
+                               !command.list_diagnostics;
       if (needs_scene && command.scene.empty())
         throw InputError("run.no-scene: no scene file is given. Name one, for "
                          "example: lamella my.prm\n" +
@@ -193,6 +195,7 @@ by Ctrl-C, which says what stands in the folder and how to go on.
                 {"--resume", &result.resume},
                 {"--validate", &result.validate},
                 {"--print-parameters", &result.print_parameters},
+                {"--list-diagnostics", &result.list_diagnostics},
                 {"--version", &result.version},
                 {"--help", &result.help}}
       {}

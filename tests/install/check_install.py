@@ -60,6 +60,9 @@ def main(root, build, workdir, deal_ii=""):
     version = run(program, "--version", env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
     if not version.startswith("lamella "):
         sys.exit(f"the installed program says: {version}")
+    listed = run(program, "--list-diagnostics")
+    if "\nsolve.no-equilibrium\tfailure\tNo stable equilibrium" not in listed:
+        sys.exit(f"the installed program lists: {listed[:200]}")
     check_report(program, prefix, root / "tests/report/loads.prm", workdir / "run")
     shutil.rmtree(workdir)
     print("A program outside of the tree builds on what was installed.")

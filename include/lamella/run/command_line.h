@@ -24,7 +24,7 @@ namespace lamella
     };
     Task task = Task::run; ///< Command to execute.
     /// Scene file; for `report` the folder with results, for `new` the name of
-    /// the scene. Empty only with --help, --version and --print-parameters.
+    /// the scene. Empty only with options that need none.
     std::string scene;
     /// Path of the output folder, CalculiX input file or HTML page (--output).
     std::string output;
@@ -46,6 +46,8 @@ namespace lamella
     bool validate = false;
     /// True to print all entries: their defaults, or the values in a scene.
     bool print_parameters = false;
+    /// True to print identifier, kind and text of all messages.
+    bool list_diagnostics = false;
     bool version          = false; ///< True to print the version and exit.
     bool help             = false; ///< True to print the help text and exit.
 
