@@ -105,7 +105,7 @@ def has_values(numbers, labels):
 
 
 class Runs:
-    """Runs the variants of `plan` (variants/plan.json) in the folder of the trade."""
+    """Runs the variants of `plan` (take_plan()) in the folder of the trade."""
 
     def __init__(self, plan, folder):
         self.plan, self.folder = plan, folder
@@ -185,25 +185,25 @@ class Runs:
         folder.mkdir(parents=True)
         errors, kept, again = folder / "errors.txt", folder / "run", folder / "again"
         record = {"of": variant["fingerprint"], "seconds": math.inf, "failure": ""}
+        # A run to a tolerance is its bars; other variants have them in the first run only.
+        has_extra_bars = variant["estimates"] and not variant["theory"].startswith("tolerance")
         for k in range(TRIES):
             target = kept if k == 0 else again
-            # A repetition needs no bars; a run to a tolerance is its bars.
-            plain = k > 0 and variant["estimates"] and not variant["theory"].startswith("tol")
-            status, seconds = self.run(
-                variant["overrides"] + ["Goals/Error bars=false"] * plain,
-                folder / "output.txt", errors, "--output", str(target))
+            without_bars = ["Goals/Error bars=false"] if k > 0 and has_extra_bars else []
+            status, seconds = self.run(variant["overrides"] + without_bars, folder / "output.txt",
+                                       errors, "--output", str(target))
             failure = self.failure_of(status, errors)
             if failure and k == 0:
                 return {**record, "seconds": seconds, "failure": failure}
             if failure:
                 break
             summary = json.loads((target / "summary.json").read_text(encoding="utf-8"))
-            if not has_values(numbers_of(summary), self.labels):
+            numbers = numbers_of(summary)
+            if not has_values(numbers, self.labels):
                 return {**record, "seconds": seconds,
                         "failure": "has no value of one of the quantities."}
-            if not variant["theory"].startswith("tol"):
+            if has_extra_bars:
                 seconds -= summary.get("seconds_of_error_bars", 0.)
-            numbers = numbers_of(summary)
             if k == 0:
                 record["numbers"] = numbers
             if seconds < record["seconds"]:

@@ -69,9 +69,8 @@ namespace lamella
 
 
     /// Moves @p n by @p relaxation times @p step and returns where the line
-    /// from
-    /// @p x along it meets @p other. A step that misses is halved, in all as
-    /// often as suffices for a gap of 2^5 radii, with the count in @p misses.
+    /// through @p x along it meets @p other. A step that misses is halved, in
+    /// all as often as suffices for a gap of 2^5 radii; @p misses counts.
     std::optional<SurfaceHit>
     relaxed_step(const MasterSurface &other,
                  const Point<3>      &x,
