@@ -7,7 +7,7 @@
 #include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
-#include <lamella/estimate/goal_bars.h>
+#include <lamella/estimate/comparison.h>
 #include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>

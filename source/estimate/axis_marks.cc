@@ -25,28 +25,53 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns @p axis, of body number @p body, with elements of @p marked
+    /// bisected. Equal neighbors from one segment stay in one segment, so that
+    /// halved() can undo bisections.
+    AxisMesh
+    bisected(const AxisMesh                  &axis,
+             const unsigned int               body,
+             const std::vector<ElementError> &marked)
+    {
+      const std::vector<double> lengths = element_lengths(axis);
+      AxisMesh                  result  = axis;
+      result.breaks.clear();
+      result.elements.clear();
+      double      begin = 0.;
+      std::size_t k     = 0;
+      for (const unsigned int n : axis.elements)
+        {
+          bool was_marked = false;
+          for (unsigned int i = 0; i < n; ++i, begin += lengths[k++])
+            {
+              const double near = arithmetic::same_in_element * lengths[k];
+              const bool   is_marked =
+                std::any_of(marked.begin(), marked.end(), [&](const auto &one) {
+                  return one.body == body && std::abs(one.begin - begin) < near;
+                });
+              if (i == 0 || is_marked != was_marked)
+                {
+                  if (k > 0)
+                    result.breaks.push_back(begin);
+                  result.elements.push_back(0);
+                }
+              result.elements.back() += is_marked ? 2 : 1;
+              was_marked = is_marked;
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   Scene
   bisected(Scene scene, const std::vector<ElementError> &marked)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        AxisMesh           &axis = scene.bodies[b].axis;
-        std::vector<double> breaks;
-        double              begin = 0.;
-        for (const double length : element_lengths(axis))
-          {
-            const double near = arithmetic::same_in_element * length;
-            for (const ElementError &element : marked)
-              if (element.body == b && std::abs(element.begin - begin) < near)
-                breaks.push_back(begin + 0.5 * length);
-            begin += length;
-            breaks.push_back(begin);
-          }
-        // The last one is the end of the axis.
-        breaks.pop_back();
-        axis.breaks = breaks;
-        axis.elements.assign(breaks.size() + 1, 1);
-      }
+      scene.bodies[b].axis = bisected(scene.bodies[b].axis, b, marked);
     return scene;
   }
 
@@ -114,127 +139,78 @@ namespace lamella
 
   namespace
   {
-    /// An element of an axis, or several merged ones.
-    struct Span
+    /// Returns the distances from the start of @p beam, body number @p number,
+    /// of supported points, lines and ends.
+    std::vector<double>
+    held_at(const Beam                 &beam,
+            const unsigned int          number,
+            const std::vector<Support> &supports)
     {
-      double begin = 0., end = 0.;
-      /// Error in the goals: the largest share of a tolerance.
-      double error = 0.;
-    };
+      const double        length = beam.axis().length();
+      std::vector<double> at;
+      for (const Support &support : supports)
+        for (const Region &region : support.on)
+          {
+            if (region.body != number)
+              continue;
+            for (const dealii::Point<3> &x : region.at)
+              at.push_back(std::clamp(beam.place().to_body(x)[1], 0., length));
+            for (const bool at_start : {true, false})
+              if (region.covers_end(at_start))
+                at.push_back(at_start ? 0. : length);
+          }
+      return at;
+    }
 
-    /// Returns elements of @p body with errors; empty if one is unknown.
-    std::vector<Span>
-    spans_of(const AxisMesh                &axis,
-             const unsigned int             body,
-             const std::vector<GoalResult> &goals)
+
+
+    /// Adds the elements of @p axis, of body @p number, that are longer than
+    /// @p longest and contain one of the places @p at, to @p marked.
+    void
+    mark_long(const AxisMesh            &axis,
+              const unsigned int         number,
+              const std::vector<double> &at,
+              const double               longest,
+              std::vector<ElementError> &marked)
     {
-      std::vector<Span> spans;
-      double            begin = 0.;
+      double begin = 0.;
       for (const double length : element_lengths(axis))
         {
-          Span span{begin, begin + length, 0.};
-          for (const GoalResult &goal : goals)
+          const double near = arithmetic::same_in_element * length;
+          if (length > longest &&
+              std::any_of(at.begin(), at.end(), [&](const double y) {
+                return begin - near < y && y < begin + length + near;
+              }))
             {
-              const auto &all = goal.local->elements;
-              const auto  own =
-                std::find_if(all.begin(), all.end(), [&](const auto &one) {
-                  return one.body == body &&
-                         std::abs(one.begin - begin) <
-                           arithmetic::same_in_element * length;
-                });
-              if (own == all.end())
-                return {};
-              const double known =
-                goal.local->of_pairs ? std::pow(0.5, 2. * axis.degree) : 1.;
-              span.error =
-                std::max(span.error,
-                         known * std::abs(own->error) / goal.allowed_error());
+              ElementError element;
+              element.body  = number;
+              element.begin = begin;
+              element.end   = begin + length;
+              marked.push_back(element);
             }
-          spans.push_back(span);
           begin += length;
-        }
-      return spans;
-    }
-
-
-
-    Span
-    together(const Span &a, const Span &b, const unsigned int degree)
-    {
-      const double length = b.end - a.begin,
-                   least  = std::min(a.end - a.begin, b.end - b.begin);
-      return {a.begin,
-              b.end,
-              (a.error + b.error) * std::pow(length / least, 2. * degree)};
-    }
-
-
-
-    /// Merges @p spans in order of increasing error while the sum is below
-    /// @p left. Returns the remainder of @p left.
-    double
-    merge(std::vector<Span>         &spans,
-          const std::vector<double> &kept,
-          const unsigned int         degree,
-          double                     left)
-    {
-      while (true)
-        {
-          std::size_t best = spans.size();
-          Span        least;
-          for (std::size_t k = 0; k + 1 < spans.size(); ++k)
-            {
-              const Span one  = together(spans[k], spans[k + 1], degree);
-              const auto near = [&](const double y) {
-                return std::abs(y - spans[k].end) <
-                       arithmetic::same_in_element * (one.end - one.begin);
-              };
-              if (std::none_of(kept.begin(), kept.end(), near) &&
-                  (best == spans.size() || one.error < least.error))
-                {
-                  best  = k;
-                  least = one;
-                }
-            }
-          if (best == spans.size() || least.error > left)
-            return left;
-          // The error of the new span includes those of its parts.
-          left -= least.error;
-          spans[best] = least;
-          spans.erase(spans.begin() + best + 1);
         }
     }
   } // namespace
 
 
 
-  Scene
-  merged(Scene                                   scene,
-         const std::vector<std::vector<double>> &kept,
-         const std::vector<GoalResult>          &goals,
-         const double                            left)
+  std::optional<Scene>
+  with_short_elements_at_supports(Scene             scene,
+                                  const Simulation &run,
+                                  const double      longest)
   {
-    const auto is_told = [left](const GoalResult &goal) {
-      return goal.local &&
-             std::abs(goal.local->contact) + std::abs(goal.local->remainder) <=
-               left * goal.allowed_error();
-    };
-    if (pairs_nodes(scene) || !std::all_of(goals.begin(), goals.end(), is_told))
-      return scene;
-    double rest = left;
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        AxisMesh         &axis   = scene.bodies[b].axis;
-        std::vector<Span> spans  = spans_of(axis, b, goals);
-        const std::size_t before = spans.size();
-        rest                     = merge(spans, kept[b], axis.degree, rest);
-        if (spans.size() == before)
-          continue;
-        axis.breaks.clear();
-        for (std::size_t k = 1; k < spans.size(); ++k)
-          axis.breaks.push_back(spans[k].begin);
-        axis.elements.assign(spans.size(), 1);
-      }
-    return scene;
+    const auto beams = beams_of(run.model().structure().bodies());
+    std::vector<ElementError> marked;
+    for (unsigned int b = 0; b < beams.size(); ++b)
+      if (beams[b] != nullptr && scene.bodies[b].theory.describes_contraction())
+        mark_long(scene.bodies[b].axis,
+                  b,
+                  held_at(*beams[b], b, scene.supports),
+                  longest * beams[b]->section().extents().second,
+                  marked);
+    if (marked.empty())
+      return {};
+    return bisected(scene, marked);
   }
 } // namespace lamella

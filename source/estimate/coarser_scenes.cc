@@ -64,37 +64,60 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Appends the ends of merged elements @p begin to @p end of @p lengths, of
+    /// a graded part of an axis, to @p ends.
+    void
+    merge_graded(const std::vector<double> &lengths,
+                 const std::size_t          begin,
+                 const std::size_t          end,
+                 std::vector<double>       &ends)
+    {
+      const std::vector<double> own(lengths.begin() + begin,
+                                    lengths.begin() + end);
+      std::size_t               last = begin;
+      for (std::size_t k = 1; k <= own.size(); ++k)
+        if (k == own.size() || is_place(own, k))
+          {
+            merge_pairs(lengths, last, begin + k, ends);
+            last = begin + k;
+          }
+    }
+  } // namespace
+
+
+
   AxisMesh
   halved(const AxisMesh &axis)
   {
     const std::vector<double> lengths = element_lengths(axis);
-    // One past the last element of each part in which pairs are formed.
-    std::vector<std::size_t> parts;
-    if (std::all_of(axis.elements.begin(),
-                    axis.elements.end(),
-                    [](const unsigned int n) { return n == 1; }))
+    std::vector<double>       ends;
+    std::vector<unsigned int> elements;
+    std::size_t               k = 0;
+    for (std::size_t s = 0; s < axis.elements.size();)
       {
-        for (std::size_t k = 1; k < lengths.size(); ++k)
-          if (is_place(lengths, k))
-            parts.push_back(k);
-        parts.push_back(lengths.size());
-      }
-    else
-      for (const unsigned int n : axis.elements)
-        parts.push_back(n + (parts.empty() ? 0 : parts.back()));
-
-    std::vector<double> ends;
-    std::size_t         begin = 0;
-    for (const std::size_t end : parts)
-      {
-        merge_pairs(lengths, begin, end, ends);
-        begin = end;
+        // Segments of one element each are graded.
+        std::size_t n         = axis.elements[s++];
+        const bool  is_graded = n == 1;
+        while (is_graded && s < axis.elements.size() && axis.elements[s] == 1)
+          ++n, ++s;
+        if (is_graded)
+          merge_graded(lengths, k, k + n, ends);
+        else if (n % 2 == 1)
+          merge_pairs(lengths, k, k + n, ends);
+        else
+          ends.push_back((ends.empty() ? 0. : ends.back()) + n * lengths[k]);
+        elements.resize(ends.size(), 1);
+        if (n % 2 == 0 && !is_graded)
+          elements.back() = n / 2;
+        k += n;
       }
     AxisMesh result = axis;
     // The last one is the end of the axis.
     ends.pop_back();
-    result.breaks = ends;
-    result.elements.assign(ends.size() + 1, 1);
+    result.breaks   = ends;
+    result.elements = elements;
     return result;
   }
 
@@ -155,5 +178,27 @@ namespace lamella
           poorer(theory);
       }
     return scene;
+  }
+
+
+
+  Scene
+  with_fewer_waves(Scene scene, const unsigned int fewer)
+  {
+    for (BodyDescription &body : scene.bodies)
+      if (body.theory.has_responses())
+        body.theory.order -= std::min(fewer, body.theory.order - 1);
+    return scene;
+  }
+
+
+
+  Scene
+  with_lower_section_order(Scene scene)
+  {
+    for (BodyDescription &body : scene.bodies)
+      if (body.theory.is_saint_venant() && body.theory.section_order > 1)
+        --body.theory.section_order;
+    return with_lower_degree(scene);
   }
 } // namespace lamella

@@ -7,11 +7,23 @@
 
 namespace lamella
 {
-  ContactShares::ContactShares(const Simulation &run)
-    : any_penalty(has_source(run.model().scene(), Source::contact) &&
-                  run.model().scene().solve.rotations != Rotations::large)
-    , any_friction(has_source(run.model().scene(), Source::path) &&
-                   run.model().scene().solve.rotations != Rotations::large)
+  namespace
+  {
+    bool
+    has_small_rotations_and(const Source source, const Scene &scene)
+    {
+      return has_source(scene, source) &&
+             scene.solve.rotations != Rotations::large;
+    }
+  } // namespace
+
+
+
+  ContactShares::ContactShares(const Simulation    &run,
+                               const EstimateRules &rules)
+    : rules(rules)
+    , any_penalty(has_small_rotations_and(Source::contact, run.model().scene()))
+    , any_friction(has_small_rotations_and(Source::path, run.model().scene()))
   {
     // States with friction depend on the path: coarser models are solved.
     if (!any_penalty || any_friction)
@@ -104,12 +116,12 @@ namespace lamella
     if (any_penalty)
       {
         const double change = of_penalties(goal);
-        add(Source::contact, change, rules.of_penalties * change);
+        add(Source::contact, change, rules.safety * change);
       }
     if (any_friction)
       {
         const double change = shorter->value(goal) - poor->value(goal);
-        add(Source::path, rules.left_of_path * change, rules.of_path * change);
+        add(Source::path, rules.safety * change, rules.of_path * change);
       }
   }
 } // namespace lamella

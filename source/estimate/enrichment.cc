@@ -54,6 +54,17 @@ namespace lamella
 
 
 
+    /// Replaces the theory of @p body by LE-@p degree.
+    void
+    make_layerwise(BodyDescription &body, const unsigned int degree)
+    {
+      const unsigned int order  = body.theory.section_order;
+      body.theory               = Theory::layerwise(degree);
+      body.theory.section_order = order;
+    }
+
+
+
     /// Replaces LE-N of @p size by SV-10 with the same section functions if its
     /// DoFs, @p times as many as now, are too many, and may_have_responses().
     void
@@ -156,6 +167,23 @@ namespace lamella
 
 
 
+    /// Returns whether a support holds a side of body number @p body: each node
+    /// of SV-N would then have most section functions.
+    bool
+    is_held_at_side(const std::vector<Support> &supports,
+                    const unsigned int          body)
+    {
+      for (const Support &support : supports)
+        for (const Region &region : support.on)
+          if (region.body == body && !region.surface.empty() &&
+              region.surface != "start" && region.surface != "end" &&
+              region.surface != "ends")
+            return true;
+      return false;
+    }
+
+
+
     /// Returns the share of the length of the beam @p body with gap rows.
     double
     loaded_share(const BuiltScene  &model,
@@ -190,14 +218,16 @@ namespace lamella
         BodySize &size = sizes.emplace_back();
         size.dofs      = bodies[b]->n_dofs();
         size.constrained_along_axis =
-          is_constrained_along_axis(model.scene().supports, sizes.size() - 1);
+          is_constrained_along_axis(model.scene().supports, b);
         if (const Beam *const beam = beams[sizes.size() - 1])
           {
             size.nodes   = beam->axis().n_nodes();
             size.fields  = beam->section().n_fields();
             size.cells   = beam->section().n_cells();
             size.corners = n_corners(*beam);
-            size.loaded  = loaded_share(model, *beam, sizes.size() - 1);
+            size.loaded  = is_held_at_side(model.scene().supports, b) ?
+                             1. :
+                             loaded_share(model, *beam, b);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;
           }
@@ -285,6 +315,35 @@ namespace lamella
       for (ContactPair &contact : result.contacts)
         contact.enforcement = Enforcement::exact;
     return result;
+  }
+
+
+
+  Scene
+  with_enriched_section(Scene scene, const unsigned int degree)
+  {
+    for (BodyDescription &body : scene.bodies)
+      if (body.theory.is_layerwise() && body.pieces.empty())
+        ++body.theory.order;
+      else
+        {
+          make_layerwise(body, degree);
+          // B2 and B3 with assumed shear strains are for theories that lock.
+          body.axis.degree        = 3;
+          body.axis.assumed_shear = false;
+        }
+    return scene;
+  }
+
+
+
+  Scene
+  with_first_degree(Scene scene)
+  {
+    for (BodyDescription &body : scene.bodies)
+      if (body.theory.describes_contraction() && !body.theory.is_solid())
+        make_layerwise(body, 1);
+    return scene;
   }
 
 

@@ -12,10 +12,10 @@ namespace lamella
   {
     /// Returns why successive changes @p first and @p second give no bar.
     std::string
-    distrust_reason(const double    first,
-                    const double    second,
-                    const double    scale,
-                    const BarRules &rules)
+    distrust_reason(const double         first,
+                    const double         second,
+                    const double         scale,
+                    const EstimateRules &rules)
     {
       if (first * second > rules.growth * first * first)
         return "the quantity changes more in each refinement, by " +
@@ -40,7 +40,7 @@ namespace lamella
 
 
   ErrorBar
-  error_bar(const Refinements &values, const BarRules &rules)
+  error_bar(const Refinements &values, const EstimateRules &rules)
   {
     const double first  = values.richer - values.run,
                  second = values.richest - values.richer;
@@ -50,7 +50,7 @@ namespace lamella
       std::max({std::abs(first), std::abs(second), std::abs(result.estimate)});
     const double rounding =
       std::max(values.rounding, rules.digits * values.scale);
-    result.bar = std::max({rules.of_change * std::abs(result.estimate),
+    result.bar = std::max({rules.safety * std::abs(result.estimate),
                            rules.of_shares * values.shares,
                            rounding});
 
@@ -60,7 +60,7 @@ namespace lamella
     else if (spread <= rules.small * values.scale)
       {
         result.trusted = true;
-        result.bar     = std::max(result.bar, rules.of_change * spread);
+        result.bar     = std::max(result.bar, rules.safety * spread);
       }
     else
       result.why = distrust_reason(first, second, values.scale, rules);
@@ -73,7 +73,7 @@ namespace lamella
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,
                     const double               rounding,
-                    const BarRules            &rules)
+                    const EstimateRules       &rules)
   {
     ErrorBar result;
     result.trusted = true;
@@ -84,8 +84,8 @@ namespace lamella
         const double left      = contracts ? (d / e) / (1. - d / e) : 1.;
         result.estimate += levels.last * left;
         result.parts.push_back(
-          contracts ? std::max({d, rules.of_change * d * left, levels.least}) :
-                      std::max(rules.of_change * std::max(d, e), levels.least));
+          contracts ? std::max({d, rules.safety * d * left, levels.least}) :
+                      std::max(rules.safety * std::max(d, e), levels.least));
         result.bar += result.parts.back();
         if (!contracts && std::max(d, e) > rules.small * scale)
           {

@@ -176,7 +176,6 @@ namespace lamella
   {
     const std::vector<const Beam *> beams  = beams_in(finer);
     LocalErrors                     result = errors;
-    result.of_pairs                        = true;
     result.elements.clear();
     for (const ElementError &whole : errors.elements)
       {

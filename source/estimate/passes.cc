@@ -68,7 +68,9 @@ namespace lamella
 
 
   void
-  shorten(GoalResult &goal, const PassHistory &course, const BarRules &rules)
+  shorten(GoalResult          &goal,
+          const PassHistory   &course,
+          const EstimateRules &rules)
   {
     const auto &[first, before, then, now] = course;
     if (!goal.trusted || !before.trusted || then.sources != now.sources)
@@ -90,7 +92,8 @@ namespace lamella
     if (!(q <= rules.max_remaining_share))
       return;
     const double by_pass =
-      std::max({d, rules.of_change * d * q / (1. - q), rules.of_pass * b}) +
+      std::max(
+        {d, rules.safety * d * q / (1. - q), rules.min_share_of_previous * b}) +
       of_others(before, now);
     if (by_pass >= own)
       return;
@@ -115,7 +118,7 @@ namespace lamella
 
 
 
-  Passes::Passes(const PassRules &rules)
+  Passes::Passes(const EstimateRules &rules)
     : rules(rules)
   {}
 
@@ -135,11 +138,32 @@ namespace lamella
                 {made[n - 3].goals[g],
                  made[n - 2].goals[g],
                  refinements[n - 2],
-                 refined});
+                 refined},
+                rules);
     dropped_in_pass.resize(pass.goals.size(), 0);
+    drop_goals();
+  }
+
+
+
+  void
+  Passes::drop_goals()
+  {
     for (unsigned int g = 0; g < dropped_in_pass.size(); ++g)
       if (dropped_in_pass[g] == 0 && must_be_dropped(g))
         dropped_in_pass[g] = made.size();
+  }
+
+
+
+  bool
+  Passes::may_divide(const double operations)
+  {
+    if (predicted_seconds(operations) >
+        rules.max_division_cost * last().seconds)
+      division_is_refused = true;
+    drop_goals();
+    return !division_is_refused;
   }
 
 
@@ -181,13 +205,14 @@ namespace lamella
         is_of_section(goal))
       return true;
     // Several passes without a bar and with large changes indicate no limit.
-    const std::size_t alike      = made.size() - before_division;
-    const bool        may_divide = before_division == 0 && is_of_section(goal);
-    if (alike >= rules.patience && !may_divide &&
+    const std::size_t alike = made.size() - before_division;
+    const bool        waits =
+      before_division == 0 && !division_is_refused && is_of_section(goal);
+    if (alike >= rules.patience && !waits &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
         change(number) > goal.allowed_error())
       return true;
-    if (alike <= rules.slow_passes || goal.met() || may_divide)
+    if (alike <= rules.slow_passes || goal.met() || waits)
       return false;
     double before = 0.;
     for (unsigned int k = 1; k <= rules.slow_passes; ++k)
@@ -200,11 +225,12 @@ namespace lamella
 
 
   double
-  Passes::predicted_seconds(const double dofs) const
+  Passes::predicted_seconds(const double operations) const
   {
     const double before = made.size() > 1 ? made[made.size() - 2].seconds : 0.;
     return (last().seconds - before) *
-           std::pow(dofs / last().dofs, rules.cost_exponent);
+           std::max(operations, rules.free_operations) /
+           std::max(last().operations, rules.free_operations);
   }
 
 
@@ -232,18 +258,6 @@ namespace lamella
             with_error_bar.push_back(last().goals[g]);
         }
     return with_error_bar.empty() ? open : with_error_bar;
-  }
-
-
-
-  std::vector<GoalResult>
-  Passes::active_goals() const
-  {
-    std::vector<GoalResult> goals;
-    for (unsigned int g = 0; g < last().goals.size(); ++g)
-      if (dropped_in_pass[g] == 0)
-        goals.push_back(last().goals[g]);
-    return goals;
   }
 
 
@@ -304,7 +318,8 @@ namespace lamella
   Passes::degrees_stall() const
   {
     const auto &now = refinements.back().sources;
-    if (std::find(now.begin(), now.end(), Source::section) == now.end())
+    if (std::find(now.begin(), now.end(), Source::section) == now.end() ||
+        made[made.size() - 2].recipe != last().recipe || division_is_refused)
       return false;
     const auto share_of = [](const GoalResult &goal) {
       for (const auto &[name, share] : goal.shares)

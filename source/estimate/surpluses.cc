@@ -10,32 +10,6 @@
 
 namespace lamella
 {
-  namespace
-  {
-    /// Returns the sum over the nodes of all @p beams of the sizes of their
-    /// parts of the product of @p v and @p w.
-    double
-    sum_by_nodes(const std::vector<const Beam *> &beams,
-                 const BlockVector               &v,
-                 const BlockVector               &w)
-    {
-      double sum = 0.;
-      for (unsigned int b = 0; b < beams.size(); ++b)
-        for (unsigned int node = 0; node < beams[b]->axis().n_nodes(); ++node)
-          {
-            const DofIndex first = beams[b]->dofs().first(node);
-            double         part  = 0.;
-            for (unsigned int k = 0; k < beams[b]->dofs().fields(node).size();
-                 ++k)
-              part += v.block(b)[first + k] * w.block(b)[first + k];
-            sum += std::abs(part);
-          }
-      return sum;
-    }
-  } // namespace
-
-
-
   std::string
   Surpluses::unavailable_reason(const Simulation  &run,
                                 const unsigned int min_degree)
@@ -144,20 +118,6 @@ namespace lamella
 
 
 
-  double
-  Surpluses::sizes(const PartForces &part_forces, const BlockVector &z) const
-  {
-    double       sum  = sum_by_nodes(beams_of(run.model().structure().bodies()),
-                              part_forces.bodies,
-                              z);
-    const Vector jump = jumps(z);
-    for (unsigned int k = 0; k < jump.size(); ++k)
-      sum += std::abs(part_forces.rows[k] * jump[k]);
-    return sum;
-  }
-
-
-
   void
   Surpluses::add_spans(const unsigned int body,
                        const Vector      &products,
@@ -205,11 +165,8 @@ namespace lamella
   {
     const Parts parts = parts_of(z);
     return {{work(*section, parts.section),
-             work(*section_before, parts.section_before),
-             sizes(*section, parts.section)},
-            {work(*axis, parts.axis),
-             work(*axis_before, parts.axis_before),
-             sizes(*axis, parts.axis)},
+             work(*section_before, parts.section_before)},
+            {work(*axis, parts.axis), work(*axis_before, parts.axis_before)},
             by_elements(*axis, parts.axis)};
   }
 } // namespace lamella

@@ -8,8 +8,8 @@
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
+#include <lamella/estimate/comparison.h>
 #include <lamella/estimate/comparison_models.h>
-#include <lamella/estimate/goal_bars.h>
 #include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/tolerance_run.h>
@@ -29,14 +29,15 @@ namespace lamella
     /// Returns the error of each goal J if SV-N (section functions for N wave
     /// numbers) replaces Lagrange expansions LE: |J(LE) - J(SV-N)| on the
     /// sections and axes of @p run, for the bodies that are LE in @p run and
-    /// SV-N in @p next. Returns no errors if there are none. A comparison with
-    /// other wave numbers would not detect some errors, such as of the slowly
-    /// decaying warping of thin walls near a twisting load. Prints a line to @p
-    /// out; @p cache stores the model. Throws the exceptions of Simulation.
-    /// Collective.
+    /// SV-N in @p next. Infinite if SV-N has more than @p max_share of the
+    /// DoFs. Returns no errors if there are none. A comparison with other wave
+    /// numbers would not detect some errors, such as of the slowly decaying
+    /// warping of thin walls near a twisting load. Prints a line to @p out; @p
+    /// cache stores the model. Throws the exceptions of Simulation. Collective.
     std::vector<double>
     surrogate_error(const Simulation &run,
                     const Scene      &next,
+                    const double      max_share,
                     std::ostream     &out,
                     ModelCache       &cache)
     {
@@ -54,15 +55,31 @@ namespace lamella
         }
       if (!replaces)
         return {};
-      ComparisonModels    models(run, out, cache);
-      const ResultNumbers own =
-        models.solved(scene, "own fields of the sections").numbers;
-      const RunGoals      goals(run);
+      ComparisonModels models(run, out, cache);
+      const Model      own = models.solved(scene, "own fields of the sections");
+      const RunGoals   goals(run);
+      double           dofs = 0.;
+      for (const BodySize &size : own.sizes)
+        dofs += size.dofs;
+      const bool is_smaller = dofs <= max_share * run.results().n_dofs();
       std::vector<double> lost;
       for (const NamedQuantity &quantity : goals.quantities())
-        lost.push_back(
-          std::abs(goals.numbers().value(quantity) - own.value(quantity)));
+        lost.push_back(is_smaller ? std::abs(goals.numbers().value(quantity) -
+                                             own.numbers.value(quantity)) :
+                                    std::numeric_limits<double>::infinity());
       return lost;
+    }
+
+
+
+    /// Returns the multiplications to factorize the model of @p run.
+    double
+    total_operations(const Simulation &run)
+    {
+      double sum = 0.;
+      for (const Cost &cost : predicted_costs(run.model().structure().bodies()))
+        sum += cost.operations;
+      return sum;
     }
 
 
@@ -87,30 +104,14 @@ namespace lamella
 
 
 
-  ToleranceRun::ToleranceRun(const Scene &said, std::ostream &out)
+  ToleranceRun::ToleranceRun(const Scene         &said,
+                             std::ostream        &out,
+                             const EstimateRules &rules)
     : scene(initial_model(said))
     , out(out)
-  {
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      starts_with_equal_elements.push_back(
-        said.bodies[b].axis.refinement_factor > 0. &&
-        scene.bodies[b].axis.refinement_factor == 0.);
-  }
-
-
-
-  void
-  ToleranceRun::store_element_ends(const Scene &first)
-  {
-    for (unsigned int b = 0; b < first.bodies.size(); ++b)
-      {
-        kept.emplace_back();
-        double end = 0.;
-        if (!starts_with_equal_elements[b])
-          for (const double length : element_lengths(first.bodies[b].axis))
-            kept.back().push_back(end += length);
-      }
-  }
+    , rules(rules)
+    , passes(rules)
+  {}
 
 
 
@@ -118,12 +119,12 @@ namespace lamella
   ToleranceRun::next_model(std::ostream &progress)
   {
     const auto built = [&]() {
-      return std::make_unique<Simulation>(scene, progress, rules);
+      return std::make_unique<Simulation>(scene, progress, field_rules);
     };
     auto next = built();
     if (passes.all().empty() && start_with_layerwise(scene, next->model()))
       next = built();
-    check_budgets(next->results().n_dofs());
+    check_budgets(next->results().n_dofs(), total_operations(*next));
     return next;
   }
 
@@ -131,7 +132,7 @@ namespace lamella
 
   // The decision has to be the same on all processes.
   void
-  ToleranceRun::check_budgets(const double dofs) const
+  ToleranceRun::check_budgets(const double dofs, const double operations) const
   {
     const double most = scene.goals.budget_dofs,
                  time = scene.goals.budget_seconds;
@@ -144,7 +145,7 @@ namespace lamella
       return;
     const double begin   = dealii::Utilities::MPI::max(wall.wall_time(),
                                                      communicator()),
-                 seconds = passes.predicted_seconds(dofs);
+                 seconds = passes.predicted_seconds(operations);
     if (begin + seconds > time)
       throw NumericsError(
         "estimate.budget-exceeded: the next pass would end after about " +
@@ -168,7 +169,7 @@ namespace lamella
         << (passes.all().empty() ?
               "" :
               ", about " +
-                to_text(passes.predicted_seconds(next->results().n_dofs()), 2) +
+                to_text(passes.predicted_seconds(total_operations(*next)), 2) +
                 " s")
         << std::endl;
     next->solve();
@@ -177,11 +178,12 @@ namespace lamella
     cache.keep({for_estimates(*next),
                 ResultNumbers(next->results()),
                 sizes_of(next->model())});
-    if (simulation == nullptr)
-      store_element_ends(next->model().scene());
     Pass pass;
-    pass.dofs  = next->results().n_dofs();
-    pass.goals = error_bars_of(*next, out, cache).goals;
+    pass.dofs           = next->results().n_dofs();
+    pass.operations     = total_operations(*next);
+    const GoalBars bars = error_bars_of(*next, out, cache, rules);
+    pass.goals          = bars.goals;
+    pass.recipe         = bars.recipe;
     check_any_bar(pass.goals);
     for (unsigned int g = 0; g < surrogate_errors.size(); ++g)
       raise_share(pass.goals[g], Source::fields, surrogate_errors[g]);
@@ -224,8 +226,7 @@ namespace lamella
     for (const LoadResultant &load : before)
       size += load.force.norm() + load.moment.norm() / next.results().size;
     for (unsigned int k = 0; k < loads.size(); ++k)
-      if ((loads[k].force - before[k].force).norm() >
-          pass_rules.loads_agree * size)
+      if ((loads[k].force - before[k].force).norm() > rules.loads_agree * size)
         throw NumericsError(
           "estimate.load-not-integrated: load " + loads[k].name + " is " +
           to_text(loads[k].force) + " on the next refined mesh, but it was " +
@@ -253,21 +254,16 @@ namespace lamella
   void
   ToleranceRun::refine()
   {
-    Scene                     next   = simulation->model().scene();
+    if (passes.open_goals().empty())
+      return;
+    const Scene               next   = simulation->model().scene();
     const std::vector<Source> wanted = passes.wanted();
-    const auto                wants  = [&wanted](const Source source) {
-      return std::find(wanted.begin(), wanted.end(), source) != wanted.end();
-    };
-    refined = {wanted, {}};
-    // Errors along the axis depend on the fields; those of EBBT do not apply.
-    if (!wants(Source::fields))
-      next =
-        merged(next, kept, passes.active_goals(), pass_rules.max_merged_share);
-    if (wants(Source::axis))
+    refined                          = {wanted, {}};
+    if (std::find(wanted.begin(), wanted.end(), Source::axis) != wanted.end())
       refined.marked = marked_elements(next,
                                        passes.open_goals(),
-                                       pass_rules.max_remaining_share,
-                                       pass_rules.min_bisected_share);
+                                       rules.max_axis_remainder,
+                                       rules.min_bisected_share);
     PlanRules plan_rules;
     if (passes.degrees_stall())
       {
@@ -275,7 +271,8 @@ namespace lamella
         plan_rules.highest_degree = plan_rules.first_degree;
       }
     Scene richer = refined_in_sources(next, plan_rules);
-    if (const auto lost = surrogate_error(*simulation, richer, out, cache);
+    if (const auto lost = surrogate_error(
+          *simulation, richer, rules.max_surrogate_share, out, cache);
         !lost.empty() && !passes.is_loss_acceptable(lost))
       {
         plan_rules.max_layerwise_dofs = std::numeric_limits<double>::max();
@@ -285,7 +282,45 @@ namespace lamella
       surrogate_errors = lost;
     refined.divides_cells = richer.divisions != next.divisions ||
                             richer.corner_layers != next.corner_layers;
-    scene = with_min_degree(richer);
+    richer = with_min_degree(richer);
+    if (refined.divides_cells && !may_divide(richer))
+      return refine();
+    scene = richer;
+  }
+
+
+
+  bool
+  ToleranceRun::may_divide(const Scene &divided)
+  {
+    const bool                     was_refused = passes.division_refused();
+    const std::vector<std::string> before      = passes.dropped_goals();
+    if (passes.may_divide(operations_of(divided)))
+      return true;
+    for (const std::string &sentence : passes.dropped_goals())
+      if (std::find(before.begin(), before.end(), sentence) == before.end())
+        out << "  " << sentence << "\n";
+    if (was_refused)
+      throw NumericsError("estimate.division-costly: the next pass would "
+                          "divide the cells of sections and take more than " +
+                          to_text(rules.max_division_cost) +
+                          " times the seconds of all passes so far");
+    return false;
+  }
+
+
+
+  double
+  ToleranceRun::operations_of(const Scene &next) const
+  {
+    simulation->release_solver();
+    std::ostream nowhere(nullptr);
+    double       result  = std::numeric_limits<double>::infinity();
+    const auto   outcome = outcome_of([&] {
+      result = total_operations(Simulation(next, nowhere, field_rules));
+    });
+    return outcome.status == 0 ? result :
+                                 std::numeric_limits<double>::infinity();
   }
 
 
@@ -367,6 +402,24 @@ namespace lamella
 
 
 
+  std::string
+  ToleranceRun::prepare_next_pass()
+  {
+    try
+      {
+        check_budgets(passes.last().dofs, passes.last().operations);
+        refine();
+      }
+    catch (const std::runtime_error &error)
+      {
+        return strip_period(error.what());
+      }
+    // Goals may have been dropped since cells are not divided.
+    return passes.reason_to_stop();
+  }
+
+
+
   bool
   ToleranceRun::run(const std::string &directory)
   {
@@ -391,17 +444,8 @@ namespace lamella
         write_pass(directory);
         print_pass();
         reason = passes.reason_to_stop();
-        if (!reason.empty())
-          break;
-        try
-          {
-            check_budgets(passes.last().dofs);
-            refine();
-          }
-        catch (const std::runtime_error &error)
-          {
-            reason = strip_period(error.what());
-          }
+        if (reason.empty())
+          reason = prepare_next_pass();
       }
     set_interruption_message("");
     print_results(*simulation, directory, out);

@@ -3,11 +3,8 @@
 // Bars from poorer models, from models on half of the axis and from exact rows
 // in the place of penalties, against models that are solved.
 
-#include <lamella/estimate/coarser_model_estimate.h>
 #include <lamella/estimate/coarser_scenes.h>
-#include <lamella/estimate/contact_shares.h>
-#include <lamella/estimate/enrichment_estimate.h>
-#include <lamella/estimate/halved_axis_estimate.h>
+#include <lamella/estimate/comparison.h>
 
 #include "quantities.h"
 #include "solved_scene.h"
@@ -27,21 +24,27 @@ namespace
     using SolvedScene::SolvedScene;
 
     GoalResult
+    by(const Recipe &recipe)
+    {
+      return Comparison(run, recipe, nowhere, cache).goals().front();
+    }
+
+    GoalResult
     from_below()
     {
-      return CoarserModelEstimate(run, nowhere, cache).goals().front();
+      return by(coarser_model_recipe(run));
     }
 
     GoalResult
     halved_axis(const HalvedAxisPlan &plan = {})
     {
-      return HalvedAxisEstimate(run, plan, nowhere, cache).goals().front();
+      return by(halved_axis_recipe(run, plan));
     }
 
     GoalResult
     by_source()
     {
-      return EnrichmentEstimate(run, nowhere, cache).goals().front();
+      return by(single_source_recipe(run));
     }
 
     ModelCache cache;
@@ -98,6 +101,12 @@ BOOST_AUTO_TEST_CASE(half_of_the_elements_has_the_same_ends)
                (std::vector<double>{7., 3., 10., 1.}),
              boost::test_tools::per_element());
   BOOST_TEST(element_lengths(halved(axis_of({3.}))).size() == 1u);
+  // What bisection divided is together again, beside a graded part as well.
+  AxisMesh divided = graded;
+  divided.elements = {1, 1, 4, 4, 1, 1, 1, 1, 1};
+  BOOST_TEST(element_lengths(halved(divided)) ==
+               (std::vector<double>{6., 0.5, 0.5, 0.5, 0.5, 6., 6., 1.}),
+             boost::test_tools::per_element());
 }
 
 
@@ -231,12 +240,11 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_far_off_says_so_in_a_number)
   BOOST_TEST(goal.bar > 0.9 * goal.value);
   BOOST_TEST(goal.value - goal.bar < 755.);
   // That is what is taken where nobody asks for bars.
-  const auto plan =
-    HalvedAxisEstimate::plan(run.run, HalvedAxisRules().free_operations);
+  const auto plan = affordable_plan(run.run, EstimateRules().free_operations);
   BOOST_REQUIRE(plan.has_value());
   BOOST_TEST(plan->degree == cheap.degree);
   BOOST_TEST(plan->times == cheap.times);
-  BOOST_TEST(!HalvedAxisEstimate::plan(run.run, 1.).has_value());
+  BOOST_TEST(!affordable_plan(run.run, 1.).has_value());
 }
 
 
@@ -250,9 +258,9 @@ BOOST_AUTO_TEST_CASE(a_theory_that_is_no_level_is_not_taken_for_one)
     {
       const Solved run("/prm/sandwich.prm", {std::string("Theory=") + theory});
       for (double most = 1e6; most < 1e16; most *= 1.5)
-        if (const auto plan = HalvedAxisEstimate::plan(run.run, most))
+        if (const auto plan = affordable_plan(run.run, most))
           BOOST_TEST(plan->degree == 2u);
-      BOOST_TEST(HalvedAxisEstimate::plan(run.run, 1e16).has_value());
+      BOOST_TEST(affordable_plan(run.run, 1e16).has_value());
     }
 }
 
@@ -294,10 +302,12 @@ BOOST_AUTO_TEST_CASE(bars_of_responses_hold)
 
 BOOST_AUTO_TEST_CASE(what_has_no_bars_of_either_kind_says_why)
 {
-  BOOST_TEST(CoarserModelEstimate::unavailable_reason(crossed("LE-2").run)
-               .find("LE-3") != std::string::npos);
-  BOOST_TEST(HalvedAxisEstimate::unavailable_reason(crossed("solid-1").run)
-               .find("solid") != std::string::npos);
+  BOOST_TEST(
+    coarser_model_recipe(crossed("LE-2").run).unavailable.find("LE-3") !=
+    std::string::npos);
+  BOOST_TEST(
+    halved_axis_recipe(crossed("solid-1").run).unavailable.find("solid") !=
+    std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

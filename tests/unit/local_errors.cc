@@ -184,80 +184,17 @@ BOOST_AUTO_TEST_CASE(elements_that_matter_are_marked)
   const auto more = marked_elements(scene, {goal}, 0.15, 0.65);
   BOOST_TEST(more->size() == 2u);
   const AxisMesh axis = bisected(scene, *more).bodies[0].axis;
-  BOOST_TEST(axis.breaks == std::vector<double>({0.5, 1., 1.5, 2.}),
+  BOOST_TEST(axis.breaks == std::vector<double>({2.}),
              boost::test_tools::per_element());
-  BOOST_TEST(axis.elements.size() == 5u);
+  BOOST_TEST(axis.elements == std::vector<unsigned int>({4, 1}),
+             boost::test_tools::per_element());
+  // One of two equal elements.
+  BOOST_TEST(element_lengths(bisected(scene, *marked).bodies[0].axis) ==
+               std::vector<double>({0.5, 0.5, 1., 2.}),
+             boost::test_tools::per_element());
 
   goal.local = {};
   BOOST_TEST(!marked_elements(scene, {goal}, 0.1, 0.65).has_value());
-}
-
-
-
-BOOST_AUTO_TEST_CASE(elements_that_do_nothing_are_merged)
-{
-  // Linear ones: two of a length have four times what they had.
-  Scene           scene;
-  BodyDescription body;
-  body.axis.degree   = 1;
-  body.axis.length   = 4.;
-  body.axis.elements = {4};
-  scene.bodies       = {body};
-  GoalResult goal;
-  goal.value = goal.scale = 1.;
-  goal.tolerance          = Tolerance{1e-2};
-  goal.local              = LocalErrors{{{0, 0., 1., 1e-7, 10},
-                                         {0, 1., 2., -1e-7, 10},
-                                         {0, 2., 3., 1e-5, 10},
-                                         {0, 3., 4., 1e-3, 10}}};
-  const auto breaks_with  = [&](const std::vector<double> &kept,
-                               const double               left) {
-    return merged(scene, {kept}, {goal}, left).bodies[0].axis.breaks;
-  };
-  // (1e-7 + 1e-7) 4 = 8e-7 of 1e-2 for the first two; with the third
-  // (8e-7 + 1e-5) 3^2 = 9.7e-5; the second with the third alone would be 4e-5.
-  BOOST_TEST(breaks_with({}, 1e-5) == std::vector<double>(),
-             boost::test_tools::per_element());
-  BOOST_TEST(breaks_with({}, 5e-3) == std::vector<double>({2., 3.}),
-             boost::test_tools::per_element());
-  BOOST_TEST(breaks_with({}, 1.2e-2) == std::vector<double>({3.}),
-             boost::test_tools::per_element());
-  // What pairs would do as one is known of them: (2e-3 + 2e-3) / 4 each, twice
-  // that together. (As it was, the axis is one piece.)
-  {
-    GoalResult pairs      = goal;
-    pairs.local->of_pairs = true;
-    pairs.local->elements = {{0, 0., 1., 2e-5, 10},
-                             {0, 1., 2., 2e-5, 10},
-                             {0, 2., 3., 2e-3, 10},
-                             {0, 3., 4., 2e-3, 10}};
-    for (const auto &[left, n] : {std::make_pair(3.9e-3, 1u), {4.1e-3, 3u}})
-      BOOST_TEST(
-        merged(scene, std::vector<std::vector<double>>(1), {pairs}, left)
-          .bodies[0]
-          .axis.elements.size() == n);
-  }
-  // What a scene says stays, and what comes of many elements sums.
-  BOOST_TEST(breaks_with({1.}, 5e-3) == std::vector<double>({1., 3.}),
-             boost::test_tools::per_element());
-  const std::vector<std::vector<double>> nothing(1);
-  // Zero is merged whatever it makes of the axis.
-  for (ElementError &element : goal.local->elements)
-    element.error = 0.;
-  const AxisMesh one = merged(scene, nothing, {goal}, 1e-3).bodies[0].axis;
-  BOOST_TEST(one.breaks.empty());
-  BOOST_TEST(one.elements == std::vector<unsigned int>({1}),
-             boost::test_tools::per_element());
-
-  // Nothing where errors have no place, nor where nobody knows them.
-  goal.local->contact = 1e-4;
-  BOOST_TEST(merged(scene, nothing, {goal}, 5e-3).bodies[0].axis.elements ==
-               std::vector<unsigned int>({4}),
-             boost::test_tools::per_element());
-  goal.local = {};
-  BOOST_TEST(merged(scene, nothing, {goal}, 5e-3).bodies[0].axis.elements ==
-               std::vector<unsigned int>({4}),
-             boost::test_tools::per_element());
 }
 
 

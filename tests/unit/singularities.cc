@@ -4,7 +4,7 @@
 // anything is solved.
 
 #include <lamella/adapt/singularities.h>
-#include <lamella/estimate/coarser_model_estimate.h>
+#include <lamella/estimate/comparison.h>
 #include <lamella/estimate/run_goals.h>
 
 #include "solved_scene.h"
@@ -151,7 +151,9 @@ BOOST_AUTO_TEST_CASE(such_goals_have_no_bar_and_leave)
      "quarter_right: syy | late_left: syy"});
   ModelCache   cache;
   std::ostream nowhere(nullptr);
-  const auto   goals = CoarserModelEstimate(solved.run, nowhere, cache).goals();
+  const auto   goals =
+    Comparison(solved.run, coarser_model_recipe(solved.run), nowhere, cache)
+      .goals();
   const std::vector<bool> limits{true, false, true, true, true};
   for (unsigned int g = 0; g < goals.size(); ++g)
     BOOST_TEST(goals[g].has_limit == limits[g], goals[g].name);

@@ -36,7 +36,8 @@ namespace lamella
     unsigned int cells  = 0; ///< Number of section cells; 0 for solids.
     /// True if a support acts on the whole body, as for plane strain.
     bool constrained_along_axis = false;
-    /// Fraction of the length along which contacts may be active.
+    /// Fraction of the length along which contacts may be active; 1 if a
+    /// support acts on a side.
     double loaded = 0.;
     /// Length of a beam over the largest extent of its section.
     double slenderness = 0.;

@@ -4,6 +4,7 @@
 #define lamella_estimate_axis_marks_h
 
 #include <lamella/recover/results.h>
+#include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
 
 #include <optional>
@@ -29,23 +30,14 @@ namespace lamella
                   const double                   left,
                   const double                   share);
 
-  /// Returns @p scene with axis elements merged that contribute little to the
-  /// errors of @p goals. A merged pair of neighbors with lengths h_1, h_2,
-  /// errors e_1, e_2 and degree p along the axis is expected to have the error
-  /// of a smooth solution,
-  ///   (|e_1| + |e_2|) ((h_1 + h_2) / min(h_1, h_2))^(2 p),
-  /// where e is multiplied by 2^(-2 p) if only errors of pairs are known
-  /// (LocalErrors::of_pairs). Pairs, also of merged elements, are merged in
-  /// ascending order of this error, until the sum of their errors reaches @p
-  /// left times a tolerance. Element ends at the axial coordinates @p kept
-  /// [length], one list per body, remain. Nothing is merged if a contact pairs
-  /// nodes, if a goal has no element errors, or if its contact error exceeds @p
-  /// left times its tolerance.
-  Scene
-  merged(Scene                                   scene,
-         const std::vector<std::vector<double>> &kept,
-         const std::vector<GoalResult>          &goals,
-         const double                            left);
+  /// Returns @p scene, a scene of the bodies of @p run, with axis elements at
+  /// supports bisected if they are longer than @p longest times the larger
+  /// section side: at points, lines and ends that supports constrain. Empty if
+  /// there are none.
+  std::optional<Scene>
+  with_short_elements_at_supports(Scene             scene,
+                                  const Simulation &run,
+                                  const double      longest);
 } // namespace lamella
 
 #endif

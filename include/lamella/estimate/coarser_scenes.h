@@ -32,6 +32,15 @@ namespace lamella
   /// Returns @p scene with LE-N replaced by LE-(N-1) in all bodies, N >= 2.
   Scene
   with_lower_degree(Scene scene);
+
+  /// Returns @p scene with @p fewer wave numbers less in SV-N, at least one.
+  Scene
+  with_fewer_waves(Scene scene, const unsigned int fewer);
+
+  /// Returns @p scene with one section order less in bodies of SV, at least
+  /// one, and with_lower_degree().
+  Scene
+  with_lower_section_order(Scene scene);
 } // namespace lamella
 
 #endif

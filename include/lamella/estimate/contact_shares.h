@@ -5,6 +5,7 @@
 
 #include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/goal_dual.h>
+#include <lamella/estimate/rules.h>
 #include <lamella/run/simulation.h>
 
 #include <memory>
@@ -13,18 +14,6 @@
 
 namespace lamella
 {
-  /// Measured factors. In the error bar of a goal, its changes by exact contact
-  /// and by more substeps are multiplied by them (doc/theory/friction.md).
-  struct ContactShareRules
-  {
-    double of_penalties = 2.; ///< Factor for the change by exact contact.
-    /// Factor for the change by twice as many substeps: the error is 1 (first
-    /// order) to 3.4 times (order 1/2, growing contact) this change.
-    double of_path = 4.;
-    /// Factor for the same change in the signed error estimate.
-    double left_of_path = 2.;
-  };
-
   /// Contributions of contact penalties and load steps to the errors of the
   /// goals (quantities of interest) of a run.
   ///
@@ -43,7 +32,8 @@ namespace lamella
   public:
     /// Solves the last state of @p run with exact contact, if there are
     /// penalties and no friction. Keeps a reference to @p run.
-    explicit ContactShares(const Simulation &run);
+    explicit ContactShares(const Simulation    &run,
+                           const EstimateRules &rules = {});
 
     /// Solves the coarser model @p poorer, which has the results @p numbers,
     /// with exact contact and with twice as many substeps, if @p goals need it.
@@ -54,7 +44,7 @@ namespace lamella
             const ResultNumbers              &numbers);
 
     /// Adds the changes of @p goal, one of the goals of compare(), times the
-    /// factors in ContactShareRules to @p result: the signed changes to the
+    /// factors in EstimateRules to @p result: the signed changes to the
     /// error estimate, their absolute values to the bar.
     void
     add_to(const NamedQuantity &goal, GoalResult &result) const;
@@ -64,8 +54,8 @@ namespace lamella
     double
     of_penalties(const NamedQuantity &goal) const;
 
-    ContactShareRules rules;
-    bool              any_penalty, any_friction;
+    EstimateRules rules;
+    bool          any_penalty, any_friction;
     /// Changes of the last state to exact contact; empty with friction.
     BlockVector         u;
     std::vector<double> force;

@@ -72,6 +72,15 @@ namespace lamella
            const std::vector<BodySize> &sizes,
            const PlanRules             &rules = {});
 
+  /// Returns @p scene with one degree more for bodies of LE-N (Lagrange
+  /// expansions), and with LE-@p degree for others.
+  Scene
+  with_enriched_section(Scene scene, const unsigned int degree);
+
+  /// Returns @p scene with LE-1 for beams whose sections change their shape.
+  Scene
+  with_first_degree(Scene scene);
+
   /// Returns true if @p scene has the error source that enriched() refines.
   bool
   has_source(const Scene &scene, const Source source);

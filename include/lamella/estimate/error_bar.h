@@ -3,31 +3,14 @@
 #ifndef lamella_estimate_error_bar_h
 #define lamella_estimate_error_bar_h
 
+#include <lamella/estimate/rules.h>
+
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lamella
 {
-  /// Parameters of error bars. With the default values, 411 of the 414 bars in
-  /// doc/theory/error-bars.md are correct; most are several times too long.
-  struct BarRules
-  {
-    /// Largest ratio of successive changes of a value with a trusted bar.
-    double max_remaining_share = 2. / 3.;
-    /// A bar is also trusted if the values of all models differ by less than
-    /// this fraction of the scale (GoalResult::scale).
-    double small = 1e-2;
-    /// Differences below this fraction of the scale are rounding errors.
-    double digits = 1e-8;
-    /// Ratio of successive changes above which a value is reported to diverge.
-    double growth    = 0.9;
-    double of_change = 2.,  ///< Factor of |change| in the bar.
-      of_shares      = 0.5; ///< Factor of the sum of |change| by each source.
-    /// Least ratio of the bar of an error source (e.g. the axis mesh) after its
-    /// refinement to its bar in the refinement pass before.
-    double of_pass = 1. / 8.;
-  };
-
   /// Values of a quantity in a run, a finer model and a still finer model.
   struct Refinements
   {
@@ -52,8 +35,10 @@ namespace lamella
     bool   trusted  = false; ///< True if successive refinements agree.
     /// Reason if the bar is not trusted, a sentence without a full stop.
     std::string why = {};
-    /// Contribution of each error source to the bar; may be empty.
+    /// Contribution of each of the `sources` of coarser_model_bar() to the bar.
     std::vector<double> parts = {};
+    /// Names and signed contributions of error sources; may be empty.
+    std::vector<std::pair<std::string, double>> shares = {};
   };
 
   /// Returns the error bar of a value v_0 from the values v_1, v_2 of two
@@ -65,7 +50,7 @@ namespace lamella
   /// <= 2/3, or all values agree to 1e-2 of the scale. A value with q >= 0.9 is
   /// reported to diverge. (Becker and Rannacher, Acta Numerica 10, 2001.)
   ErrorBar
-  error_bar(const Refinements &values, const BarRules &rules = {});
+  error_bar(const Refinements &values, const EstimateRules &rules = {});
 
   /// Signed changes of a quantity from two coarser models to the run, by one
   /// error source (mesh, theory, ...).
@@ -89,7 +74,7 @@ namespace lamella
   coarser_model_bar(const std::vector<Levels> &sources,
                     const double               scale,
                     const double               rounding = 0.,
-                    const BarRules            &rules    = {});
+                    const EstimateRules       &rules    = {});
 } // namespace lamella
 
 #endif

@@ -9,7 +9,6 @@
 #ifndef lamella_estimate_estimation_h
 #define lamella_estimate_estimation_h
 
-#include <lamella/adapt/plan_rules.h>
 #include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
@@ -25,17 +24,6 @@
 
 namespace lamella
 {
-  /// Thresholds of the changes of a goal from which an error source (mesh,
-  /// theory, ...) is refined once more in the finest model.
-  struct EstimationRules
-  {
-    /// Smallest significant change of a goal, as a fraction of its tolerance.
-    double min_tolerance_share = 0.1;
-    /// Smallest significant change of a goal without a tolerance, as a fraction
-    /// of the sum of its changes by all error sources.
-    double min_total_share = 0.02;
-  };
-
   /// Error bars of the goals of a run from finer models of the same scene:
   ///   M_0          the run
   ///   M_1 .. M_k   each with one error source refined relative to a
@@ -55,7 +43,10 @@ namespace lamella
   public:
     /// Keeps references to @p run, whose last load step must have been solved,
     /// to @p cache, and to @p out, to which a line per model is printed.
-    Estimation(const Simulation &run, std::ostream &out, ModelCache &cache);
+    Estimation(const Simulation    &run,
+               std::ostream        &out,
+               ModelCache          &cache,
+               const EstimateRules &rules = {});
 
     /// Solves the finer models and returns the goals with their error bars, or
     /// with the reason if a model cannot be solved. Returns none if `auto` bars
@@ -102,11 +93,11 @@ namespace lamella
     GoalResult
     goal(const NamedQuantity &quantity, const unsigned int number) const;
 
-    const EstimationRules rules;
-    const Simulation     &run;
-    std::ostream         &out;
-    ModelCache           &cache;
-    ComparisonModels      others;
+    const EstimateRules rules;
+    const Simulation   &run;
+    std::ostream       &out;
+    ModelCache         &cache;
+    ComparisonModels    others;
     /// Goals of the run; set by goals().
     std::unique_ptr<const RunGoals> of_run;
     /// Solved models: the run, one per refinement step, and last the finest.
@@ -119,26 +110,6 @@ namespace lamella
     /// Reason why there is no finer model; empty if there is one.
     std::string failure;
   };
-
-  /// Returns a lower bound of the number of multiplications for the Cholesky
-  /// factorizations of @p run, the sum of z^2 / n for factors with n columns
-  /// and z nonzeros. Returns 0 if there are none (`cg`, strategy `full`).
-  double
-  operations(const Simulation &run);
-
-  /// Returns the estimated number of multiplications for error bars by finer
-  /// models (Estimation), in which SV-10 replaces Lagrange expansions LE-N. It
-  /// is the sum of
-  /// - factorization: c m^3 per axis node with m section functions, c =
-  ///   CostRules::of_block, and CostRules::axes times the nodes of the run;
-  /// - proper orthogonal decomposition of the responses to harmonic loads;
-  /// - solutions on short end segments for the boundary-layer modes.
-  ///
-  /// Returns infinity unless SV-10 can replace LE-N in all bodies.
-  double
-  operations_of_bars(const Simulation &run,
-                     const PlanRules  &rules = {},
-                     const CostRules  &cost  = {});
 } // namespace lamella
 
 #endif

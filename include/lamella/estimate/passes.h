@@ -13,42 +13,16 @@
 
 namespace lamella
 {
-  /// Parameters of a run to a tolerance by successively refined models.
-  struct PassRules
-  {
-    /// Error sources (mesh, theory, ...) are refined, the largest first, until
-    /// the others sum to less than this fraction of the tolerance.
-    double max_unrefined_share = 0.5;
-    /// A goal is dropped (not refined any further) if it has no bar in this
-    /// many passes and changes by more than its tolerance in the last of them.
-    unsigned int patience = 2;
-    /// A goal is dropped if its bar is above the fraction min_progress of the
-    /// largest bar of this many passes before.
-    unsigned int slow_passes = 2;
-    /// Fraction of an earlier bar above which progress is slow (slow_passes).
-    double min_progress = 2. / 3.;
-    /// Seconds of a pass with n DoFs are predicted proportional to n to this
-    /// power: 1.4 to 1.64 in the passes of `tests/scenes/nose_on_strip.prm`.
-    double cost_exponent = 1.5;
-    /// Largest ratio of the section error of a degree to that of the degree
-    /// before for which the degree is raised again; above it, corners or large
-    /// cells limit convergence.
-    double       max_degree_ratio = 0.5;
-    unsigned int max_passes       = 8; ///< Largest number of refinement passes.
-    /// Largest error of elements that are not bisected, fraction of tolerance.
-    double max_remaining_share = 0.25,
-           max_merged_share    = 0.05, ///< Largest merging error / tolerance.
-      min_bisected_share       = 0.65; ///< Smallest fraction of error bisected.
-    double loads_agree = 1e-7; ///< Relative tolerance of the resultant loads.
-  };
-
   /// A refinement pass of a run to a tolerance: one solved model.
   struct Pass
   {
     unsigned int dofs    = 0;  ///< Number of DoFs of the model.
     double       seconds = 0.; ///< Wall time since the start of the run [s].
-    std::string  theories;     ///< Theories of all bodies, for output.
-    std::vector<GoalResult> goals; ///< Goals with their error bars.
+    /// Multiplications to factorize the model (predicted_costs()).
+    double                  operations = 0.;
+    std::string             theories; ///< Theories of all bodies, for output.
+    std::string             recipe;   ///< Recipe of the error bars (GoalBars).
+    std::vector<GoalResult> goals;    ///< Goals with their error bars.
   };
 
   /// Refinement of the model of a pass relative to the previous pass.
@@ -78,9 +52,9 @@ namespace lamella
   /// reduced to
   ///   max(d, 2 d q / (1 - q), b / 8) + errors of elements not bisected.
   void
-  shorten(GoalResult        &goal,
-          const PassHistory &course,
-          const BarRules    &rules = {});
+  shorten(GoalResult          &goal,
+          const PassHistory   &course,
+          const EstimateRules &rules = {});
 
   /// Raises the contribution of @p source to the bar of @p goal to @p least.
   void
@@ -90,7 +64,8 @@ namespace lamella
   /// refinement. After the last pass a goal is
   /// - met: its bar is within its tolerance, and its value changed since the
   ///   previous pass by at most the bar of the previous pass;
-  /// - dropped: not refined any further (PassRules), since its value may have
+  /// - dropped: not refined any further (EstimateRules), since its value may
+  /// have
   ///   no limit, for example at a point load, or its bar does not decrease. The
   ///   count begins anew with the first pass that divides section cells;
   /// - open: neither met nor dropped. The next pass refines for open goals that
@@ -99,7 +74,7 @@ namespace lamella
   {
   public:
     /// Creates an empty record of refinement passes, to be judged by @p rules.
-    explicit Passes(const PassRules &rules = {});
+    explicit Passes(const EstimateRules &rules = {});
 
     /// Adds @p pass and its refinement @p refined, empty for the first pass.
     /// Shortens its error bars (shorten()) and drops divergent goals.
@@ -128,33 +103,47 @@ namespace lamella
     std::vector<GoalResult>
     open_goals() const;
 
-    /// Returns the goals that have not been dropped.
-    std::vector<GoalResult>
-    active_goals() const;
-
     /// Returns a sentence for each goal that was dropped in the last pass.
     std::vector<std::string>
     dropped_goals() const;
 
     /// Returns the error sources (mesh, theory, ...) to refine for
     /// open_goals(): the largest source of each goal, and others until the sum
-    /// of the rest is below PassRules::max_unrefined_share times its tolerance.
+    /// of the rest is below EstimateRules::max_unrefined_share times its
+    /// tolerance.
     std::vector<Source>
     wanted() const;
 
     /// Returns true if raising section degrees does not converge: the ratio of
-    /// section errors of an open goal exceeds PassRules::max_degree_ratio.
+    /// section errors of an open goal in two passes with bars by the same
+    /// recipe exceeds EstimateRules::max_degree_ratio.
     bool
     degrees_stall() const;
 
+    /// Returns true if a model with divided section cells, factorized in @p
+    /// operations, takes at most EstimateRules::max_division_cost times the
+    /// seconds of all passes. If not, cells are never divided, and goals that
+    /// wait for it are dropped.
+    bool
+    may_divide(const double operations);
+
+    /// Returns true if may_divide() was false once.
+    bool
+    division_refused() const
+    {
+      return division_is_refused;
+    }
+
     /// Returns true if the additional errors @p lost, one per goal, are at most
-    /// the fraction PassRules::max_unrefined_share of the tolerances.
+    /// the fraction EstimateRules::max_unrefined_share of the tolerances.
     bool
     is_loss_acceptable(const std::vector<double> &lost) const;
 
-    /// Returns the predicted wall time [s] of the next pass with @p dofs DoFs.
+    /// Returns the predicted wall time [s] of the next pass, whose model is
+    /// factorized in @p operations: that of the last pass times the ratio of
+    /// operations, each at least EstimateRules::free_operations.
     double
-    predicted_seconds(const double dofs) const;
+    predicted_seconds(const double operations) const;
 
     /// Returns the largest ratio of the change of a goal since the previous
     /// pass to its tolerance; 0 after the first pass.
@@ -173,12 +162,15 @@ namespace lamella
     is_met(const unsigned int number) const;
     bool
     must_be_dropped(const unsigned int number) const;
+    void
+    drop_goals();
 
-    PassRules                   rules;
+    EstimateRules               rules;
     std::vector<Pass>           made;
     std::vector<PassRefinement> refinements; ///< Refinement of each pass.
     /// Number of passes before the first that divides section cells, or 0.
     std::size_t before_division = 0;
+    bool division_is_refused    = false; ///< True after may_divide() was false.
     /// Pass (from 1) in which each goal was dropped; 0 if it was not.
     std::vector<unsigned int> dropped_in_pass;
   };

@@ -18,9 +18,8 @@ namespace lamella
   struct Surplus
   {
     /// Change to the run from one degree less or half of the elements.
-    double last     = 0.,
-           before   = 0.; ///< Change from the second to the next coarser model.
-    double by_nodes = 0.; ///< Sum of |contributions| of nodes to `last`.
+    double last   = 0.,
+           before = 0.; ///< Change from the second to the next coarser model.
   };
 
   /// Changes of a goal by the two error sources of a beam.
@@ -85,9 +84,6 @@ namespace lamella
     /// Returns the work of @p part_forces along the dual component @p z.
     double
     work(const PartForces &part_forces, const BlockVector &z) const;
-    /// Returns the sum of |contributions| of nodes and constraints to work().
-    double
-    sizes(const PartForces &part_forces, const BlockVector &z) const;
     /// Returns work() per element; elements merged in a coarser model share it.
     LocalErrors
     by_elements(const PartForces &part_forces, const BlockVector &z) const;

@@ -33,7 +33,9 @@ namespace lamella
   {
   public:
     /// Creates a run of the scene @p said. Keeps a reference to @p out.
-    ToleranceRun(const Scene &said, std::ostream &out);
+    ToleranceRun(const Scene         &said,
+                 std::ostream        &out,
+                 const EstimateRules &rules = {});
 
     /// Performs refinement passes, writes results into the folder @p directory.
     /// Returns true if all goals are met. Throws as run_scene().
@@ -48,15 +50,13 @@ namespace lamella
     }
 
   private:
-    /// Stores the element ends of the scene @p first in `kept`.
-    void
-    store_element_ends(const Scene &first);
     /// Returns the simulation of `scene`, with messages to @p progress.
     std::unique_ptr<Simulation>
     next_model(std::ostream &progress);
-    /// Throws NumericsError if a pass with @p dofs DoFs exceeds a budget.
+    /// Throws NumericsError if a pass with @p dofs DoFs, factorized in @p
+    /// operations, exceeds a budget.
     void
-    check_budgets(const double dofs) const;
+    check_budgets(const double dofs, const double operations) const;
     /// Solves `scene` and computes the error bars of its goals.
     void
     make_pass();
@@ -68,13 +68,26 @@ namespace lamella
     void
     check_loads(const Simulation &next) const;
     /// Refines `scene` for the open goals: selected elements are bisected
-    /// (marked_elements()), others are merged (merged()). SV-N replaces large
-    /// LE only if the error is acceptable (surrogate_error()).
+    /// (marked_elements()). SV-N replaces large LE only if the error is
+    /// acceptable (surrogate_error()).
     void
     refine();
     /// Returns @p next with the error sources of the next pass refined.
     Scene
     refined_in_sources(Scene next, const PlanRules &plan_rules) const;
+    /// Returns true if the model @p divided, with divided section cells, is not
+    /// too expensive (Passes::may_divide()). Throws NumericsError if it is for
+    /// the second time, so that no other refinement is left.
+    bool
+    may_divide(const Scene &divided);
+    /// Checks budgets and generates the next model. Returns why there is none;
+    /// empty if there is one.
+    std::string
+    prepare_next_pass();
+    /// Returns the multiplications to factorize the model of @p next; infinity
+    /// if it cannot be built.
+    double
+    operations_of(const Scene &next) const;
     /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);
@@ -87,17 +100,13 @@ namespace lamella
     std::string
     table() const;
 
-    Scene scene;
-    /// True for each body whose first model has equal elements by default
-    /// (initial_model()). Other bodies keep their first element ends, `kept`.
-    std::vector<bool>                starts_with_equal_elements;
-    std::vector<std::vector<double>> kept;
-    std::ostream                    &out;
-    std::unique_ptr<Simulation>      simulation;
-    ModelCache                       cache;
+    Scene                       scene;
+    std::ostream               &out;
+    std::unique_ptr<Simulation> simulation;
+    ModelCache                  cache;
     /// Parameters of section functions; all models share boundary-layer modes.
-    FieldRules rules;
-    PassRules  pass_rules;
+    FieldRules    field_rules;
+    EstimateRules rules;
     /// Error of each goal if SV-N replaces LE; empty if it does not.
     std::vector<double> surrogate_errors;
     PassRefinement      refined; ///< Refinement of the next pass.

@@ -30,11 +30,7 @@ namespace lamella
   struct LocalErrors
   {
     std::vector<ElementError> elements; ///< Contributions of axis elements.
-    /// True if `elements` are those of the finer model, each with an equal
-    /// fraction of the error of the coarser element that contains it; false if
-    /// they are those of the coarser model.
-    bool   of_pairs = false;
-    double contact  = 0.; ///< Contribution of gap and contact force errors.
+    double contact = 0.; ///< Contribution of gap and contact force errors.
     /// Difference that is assigned neither to elements nor to contact; only
     /// rounding if the finer elements subdivide the coarser ones.
     double remainder = 0.;

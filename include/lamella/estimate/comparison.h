@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_estimate_comparison_h
+#define lamella_estimate_comparison_h
+
+#include <lamella/estimate/contact_shares.h>
+#include <lamella/estimate/recipes.h>
+#include <lamella/estimate/run_goals.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamella
+{
+  /// Comparison of a run with the models of a recipe, for error bars of its
+  /// goals (output quantities). Each model has its own contact constraints and
+  /// active set, so active-set errors are included. Models that supports need
+  /// (models_at_supports()) raise bars; ContactShares adds penalties and load
+  /// steps.
+  class Comparison
+  {
+  public:
+    /// Solves the models of @p recipe, whose run is @p run; its last load step
+    /// must have been solved. Prints a line per model to @p out; @p cache
+    /// stores the models. Throws as Simulation does. Collective.
+    Comparison(const Simulation    &run,
+               const Recipe        &recipe,
+               std::ostream        &out,
+               ModelCache          &cache,
+               const EstimateRules &rules = {});
+
+    /// Returns the goals of the scene with their error bars.
+    std::vector<GoalResult>
+    goals() const;
+
+  private:
+    /// Returns true if the goal with index @p number requires the models.
+    bool
+    needs_models(const unsigned int number) const;
+    void
+    solve_models(std::ostream &out, ModelCache &cache);
+    /// Solves models_at_supports(). If they fail, @p out gets a message.
+    void
+    solve_at_supports(std::ostream &out, ModelCache &cache);
+    std::optional<SurplusParts>
+    surplus_of(const unsigned int number) const;
+    ComparedValues
+    values_of(const unsigned int number) const;
+
+    const Simulation &run;
+    EstimateRules     rules;
+    Recipe            recipe;
+    RunGoals          of_run;
+    GoalDual          dual;
+    ContactShares     of_contact;
+    /// Derivative of each goal; empty if it has none, or without surpluses.
+    std::vector<std::optional<GoalDual::Pair>> derivatives;
+    /// Hierarchical surpluses of the run; null if it has none.
+    std::unique_ptr<const Surpluses> surpluses;
+    /// Results of the models of the recipe; empty if not solved.
+    std::vector<ResultNumbers> results;
+    /// Results of models_at_supports(), if any.
+    std::vector<ResultNumbers> at_supports;
+    /// Error of each goal per axis element; empty if unknown.
+    std::vector<std::optional<LocalErrors>> local;
+  };
+
+  /// Goals of a run with their error bars, or the reason why there are none.
+  struct GoalBars
+  {
+    std::vector<GoalResult> goals; ///< Empty if there are no error bars.
+    std::string             missing_reason; ///< Sentence; empty if bars exist.
+    std::string             recipe; ///< Recipe::from; empty for Estimation.
+  };
+
+  /// Returns the goals of @p run, whose last load step must have been solved,
+  /// with the error bars that the input file requests (ErrorBars), at any cost
+  /// for goals with tolerances: by the recipe of choose_recipe(), or for
+  /// `richer`, or if there is none or its models fail, by Estimation. Prints a
+  /// line per model to @p out; @p cache stores the models. Collective.
+  GoalBars
+  error_bars_of(const Simulation    &run,
+                std::ostream        &out,
+                ModelCache          &cache,
+                const EstimateRules &rules = {});
+} // namespace lamella
+
+#endif
