@@ -149,10 +149,10 @@ def report_of(rows):
 
 
 def program_of(program):
-    """build/ablation, built now, unless @p program is another one."""
+    """build/tests/ablation, built now, unless @p program is another one."""
     if program is None:
         subprocess.run([ROOT / "scripts/build", "ablation"], check=True, stdout=sys.stderr)
-    return program or ROOT / "build/ablation"
+    return program or ROOT / "build/tests/ablation"
 
 
 def ablation(pick="", program=None, kept=None, jobs=2, count=150):
