@@ -86,9 +86,11 @@ namespace lamella
   reason_for_layerwise(const BodySize &size, const PlanRules &rules)
   {
     if (has_contact_along_axis(size, rules))
-      return "contacts or supports may act on " +
-             to_text(100. * size.loaded, 3) +
+      return "contacts may touch " + to_text(100. * size.loaded, 3) +
              " % of its length, and there would be a response to each row";
+    if (size.is_held_at_side)
+      return "a support acts on one of its sides, and there would be a response "
+             "to each row";
     const double dofs = layerwise_dofs(size, 2);
     return dofs <= rules.cheap_dofs ?
              "LE-2 has some " + to_text(dofs, 2) +

@@ -31,9 +31,9 @@ namespace lamella
     /// bisected. Equal neighbors from one segment stay in one segment, so that
     /// halved() can undo bisections.
     AxisMesh
-    bisected(const AxisMesh                  &axis,
-             const unsigned int               body,
-             const std::vector<ElementError> &marked)
+    bisected_axis(const AxisMesh                  &axis,
+                  const unsigned int               body,
+                  const std::vector<ElementError> &marked)
     {
       const std::vector<double> lengths = element_lengths(axis);
       AxisMesh                  result  = axis;
@@ -71,7 +71,7 @@ namespace lamella
   bisected(Scene scene, const std::vector<ElementError> &marked)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      scene.bodies[b].axis = bisected(scene.bodies[b].axis, b, marked);
+      scene.bodies[b].axis = bisected_axis(scene.bodies[b].axis, b, marked);
     return scene;
   }
 

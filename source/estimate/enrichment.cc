@@ -167,8 +167,7 @@ namespace lamella
 
 
 
-    /// Returns whether a support holds a side of body number @p body: each node
-    /// of SV-N would then have most section functions.
+    /// Returns whether a support acts on a side of body number @p body.
     bool
     is_held_at_side(const std::vector<Support> &supports,
                     const unsigned int          body)
@@ -219,15 +218,14 @@ namespace lamella
         size.dofs      = bodies[b]->n_dofs();
         size.constrained_along_axis =
           is_constrained_along_axis(model.scene().supports, b);
-        if (const Beam *const beam = beams[sizes.size() - 1])
+        if (const Beam *const beam = beams[b])
           {
-            size.nodes   = beam->axis().n_nodes();
-            size.fields  = beam->section().n_fields();
-            size.cells   = beam->section().n_cells();
-            size.corners = n_corners(*beam);
-            size.loaded  = is_held_at_side(model.scene().supports, b) ?
-                             1. :
-                             loaded_share(model, *beam, b);
+            size.nodes           = beam->axis().n_nodes();
+            size.fields          = beam->section().n_fields();
+            size.cells           = beam->section().n_cells();
+            size.corners         = n_corners(*beam);
+            size.loaded          = loaded_share(model, *beam, b);
+            size.is_held_at_side = is_held_at_side(model.scene().supports, b);
             size.slenderness =
               beam->axis().length() / beam->section().extents().second;
           }
@@ -243,7 +241,7 @@ namespace lamella
                      const PlanRules       &rules)
   {
     return body.theory.is_layerwise() && body.pieces.empty() &&
-           !size.constrained_along_axis &&
+           !size.constrained_along_axis && !size.is_held_at_side &&
            size.loaded <= rules.max_contact_share &&
            size.fields > rules.min_gain * rules.fields_of_responses;
   }

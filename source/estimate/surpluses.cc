@@ -6,8 +6,6 @@
 #include <lamella/estimate/surpluses.h>
 #include <lamella/scene/scene.h>
 
-#include <cmath>
-
 namespace lamella
 {
   std::string

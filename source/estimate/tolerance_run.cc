@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/interruption.h>
 #include <lamella/base/output_file.h>
@@ -270,21 +269,22 @@ namespace lamella
         plan_rules.corner_degree  = plan_rules.first_degree;
         plan_rules.highest_degree = plan_rules.first_degree;
       }
-    Scene richer = refined_in_sources(next, plan_rules);
-    if (const auto lost = surrogate_error(
-          *simulation, richer, rules.max_surrogate_share, out, cache);
-        !lost.empty() && !passes.is_loss_acceptable(lost))
+    Scene               richer = refined_in_sources(next, plan_rules);
+    std::vector<double> lost   = surrogate_error(
+      *simulation, richer, rules.max_surrogate_share, out, cache);
+    if (!lost.empty() && !passes.is_loss_acceptable(lost))
       {
         plan_rules.max_layerwise_dofs = std::numeric_limits<double>::max();
         richer                        = refined_in_sources(next, plan_rules);
+        lost.clear();
       }
-    else if (!lost.empty())
-      surrogate_errors = lost;
     refined.divides_cells = richer.divisions != next.divisions ||
                             richer.corner_layers != next.corner_layers;
     richer = with_min_degree(richer);
     if (refined.divides_cells && !may_divide(richer))
       return refine();
+    if (!lost.empty())
+      surrogate_errors = lost;
     scene = richer;
   }
 
@@ -293,34 +293,36 @@ namespace lamella
   bool
   ToleranceRun::may_divide(const Scene &divided)
   {
-    const bool                     was_refused = passes.division_refused();
-    const std::vector<std::string> before      = passes.dropped_goals();
+    if (passes.division_refused())
+      throw NumericsError(
+        "estimate.division-costly: the next model has smaller "
+        "section cells, which would take more than " +
+        to_text(rules.max_division_cost) + " times the seconds of all passes");
+    const std::vector<std::string> before = passes.dropped_goals();
     if (passes.may_divide(operations_of(divided)))
       return true;
     for (const std::string &sentence : passes.dropped_goals())
       if (std::find(before.begin(), before.end(), sentence) == before.end())
         out << "  " << sentence << "\n";
-    if (was_refused)
-      throw NumericsError("estimate.division-costly: the next pass would "
-                          "divide the cells of sections and take more than " +
-                          to_text(rules.max_division_cost) +
-                          " times the seconds of all passes so far");
     return false;
   }
 
 
 
   double
-  ToleranceRun::operations_of(const Scene &next) const
+  ToleranceRun::operations_of(const Scene &next)
   {
+    // Both models together may not fit into memory.
     simulation->release_solver();
-    std::ostream nowhere(nullptr);
-    double       result  = std::numeric_limits<double>::infinity();
-    const auto   outcome = outcome_of([&] {
+    std::ostream  nowhere(nullptr);
+    double        result  = std::numeric_limits<double>::infinity();
+    const Outcome outcome = outcome_of([&] {
       result = total_operations(Simulation(next, nowhere, field_rules));
     });
-    return outcome.status == 0 ? result :
-                                 std::numeric_limits<double>::infinity();
+    if (outcome.status != 0)
+      out << "  section cells are not divided: " << trimmed(outcome.message)
+          << "\n";
+    return result;
   }
 
 

@@ -36,13 +36,15 @@ namespace lamella
     unsigned int cells  = 0; ///< Number of section cells; 0 for solids.
     /// True if a support acts on the whole body, as for plane strain.
     bool constrained_along_axis = false;
-    /// Fraction of the length along which contacts may be active; 1 if a
-    /// support acts on a side.
+    /// Fraction of the length along which contacts may be active.
     double loaded = 0.;
     /// Length of a beam over the largest extent of its section.
     double slenderness = 0.;
     /// Number of section corners with singular stresses (singular_corners()).
     unsigned int corners = 0;
+    /// True if a support acts on a side of a beam: each node of SV-N would then
+    /// have most section functions.
+    bool is_held_at_side = false;
   };
 
   /// Returns the number of section corners of @p beam with singular stresses.

@@ -14,8 +14,9 @@ namespace lamella
   /// Returns @p axis with about half as many elements. Neighbors are merged in
   /// pairs within each segment of the axis; of an odd number, three are merged
   /// where they are longest. On graded axes, where each segment is one element,
-  /// pairs are formed between the points toward which elements get shorter. All
-  /// element ends of the result are element ends of @p axis.
+  /// pairs are formed between the points toward which elements get shorter; a
+  /// single one between segments of several elements remains. All element ends
+  /// of the result are element ends of @p axis.
   AxisMesh
   halved(const AxisMesh &axis);
 

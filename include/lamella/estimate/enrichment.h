@@ -52,8 +52,9 @@ namespace lamella
   /// - axis: elements along beams are bisected;
   /// - fields: EBBT, TBT and TE-N become SV-10, SV to SV-5 become SV-6. They
   ///   become LE-2 instead if LE-2 has at most PlanRules::cheap_dofs DoFs, or
-  ///   if contacts extend over more than the fraction max_contact_share of the
-  ///   body. Other SV-N get four more wave numbers;
+  /// if contacts extend over more than the fraction max_contact_share of the
+  ///   body or a support acts on one of its sides. Other SV-N get four more
+  ///   wave numbers;
   /// - section: the degree of LE-N and the section order of SV-N increase by
   ///   one. If they are 8 (PlanRules::highest_degree, corner_degree), a layer
   ///   of cells is added at the corners of the section instead; without corners

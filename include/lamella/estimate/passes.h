@@ -65,9 +65,9 @@ namespace lamella
   /// - met: its bar is within its tolerance, and its value changed since the
   ///   previous pass by at most the bar of the previous pass;
   /// - dropped: not refined any further (EstimateRules), since its value may
-  /// have
-  ///   no limit, for example at a point load, or its bar does not decrease. The
-  ///   count begins anew with the first pass that divides section cells;
+  ///   have no limit, for example at a point load, or its bar does not
+  ///   decrease. The count begins anew with the first pass that divides section
+  ///   cells;
   /// - open: neither met nor dropped. The next pass refines for open goals that
   ///   have a bar, or for all open goals if none has a bar.
   class Passes

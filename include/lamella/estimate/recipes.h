@@ -116,8 +116,8 @@ namespace lamella
   /// Returns two models for the effect of short axis elements at supports: LE-1
   /// (bilinear Lagrange expansion) on the axes of @p run, and on axes with long
   /// elements at supports bisected: at points and lines that supports constrain
-  /// within a beam, and at constrained ends of heated beams. LE-1 has 3/4 of
-  /// the change in higher degrees. None if there are no such supports or only
+  /// within a beam, and at constrained ends. LE-1 has 3/4 of the change in
+  /// higher degrees. None if there are no such supports or only
   /// short elements, with node-dependent theories, or if a contact pairs nodes.
   std::vector<ComparisonModel>
   models_at_supports(const Simulation &run, const EstimateRules &rules = {});

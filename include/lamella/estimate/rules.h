@@ -6,8 +6,9 @@
 namespace lamella
 {
   /// All numbers that decide on error bars and on refinement to a tolerance.
-  /// doc/verification/error-bar-rules.md states for each what bars are without
-  /// it (`scripts/measure ablation`). The scale is GoalResult::scale.
+  /// doc/verification/error-bar-rules.md has error bars without those that
+  /// decide in many scenes (`scripts/measure ablation`). The scale is
+  /// GoalResult::scale.
   struct EstimateRules
   {
     // Error bars.

@@ -76,18 +76,18 @@ namespace lamella
     Scene
     refined_in_sources(Scene next, const PlanRules &plan_rules) const;
     /// Returns true if the model @p divided, with divided section cells, is not
-    /// too expensive (Passes::may_divide()). Throws NumericsError if it is for
-    /// the second time, so that no other refinement is left.
+    /// too expensive (Passes::may_divide()). Throws NumericsError if division
+    /// was refused before: the section has no other refinement.
     bool
     may_divide(const Scene &divided);
     /// Checks budgets and generates the next model. Returns why there is none;
     /// empty if there is one.
     std::string
     prepare_next_pass();
-    /// Returns the multiplications to factorize the model of @p next; infinity
-    /// if it cannot be built.
+    /// Returns the multiplications to factorize the model of @p next; infinity,
+    /// with a message, if it cannot be built. Releases the last solver.
     double
-    operations_of(const Scene &next) const;
+    operations_of(const Scene &next);
     /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);

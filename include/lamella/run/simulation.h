@@ -87,7 +87,8 @@ namespace lamella
       found.endnotes.push_back(note);
     }
 
-    /// Frees the memory of solvers. Afterwards only results() may be called.
+    /// Frees the memory of solvers. Afterwards only results() and model() may
+    /// be called.
     void
     release_solver();
 
