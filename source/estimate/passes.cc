@@ -141,29 +141,9 @@ namespace lamella
                  refined},
                 rules);
     dropped_in_pass.resize(pass.goals.size(), 0);
-    drop_goals();
-  }
-
-
-
-  void
-  Passes::drop_goals()
-  {
     for (unsigned int g = 0; g < dropped_in_pass.size(); ++g)
       if (dropped_in_pass[g] == 0 && must_be_dropped(g))
         dropped_in_pass[g] = made.size();
-  }
-
-
-
-  bool
-  Passes::may_divide(const double operations)
-  {
-    if (predicted_seconds(operations) >
-        rules.max_division_cost * last().seconds)
-      division_is_refused = true;
-    drop_goals();
-    return !division_is_refused;
   }
 
 
@@ -192,6 +172,18 @@ namespace lamella
 
 
   bool
+  Passes::grows(const unsigned int number) const
+  {
+    if (last().goals[number].trusted || made.size() < 3)
+      return false;
+    const double before = std::abs(made[made.size() - 2].goals[number].value -
+                                   made[made.size() - 3].goals[number].value);
+    return change(number) > rules.growth * before;
+  }
+
+
+
+  bool
   Passes::must_be_dropped(const unsigned int number) const
   {
     const GoalResult &goal       = last().goals[number];
@@ -207,7 +199,7 @@ namespace lamella
     // Several passes without a bar and with large changes indicate no limit.
     const std::size_t alike = made.size() - before_division;
     const bool        waits =
-      before_division == 0 && !division_is_refused && is_of_section(goal);
+      before_division == 0 && is_of_section(goal) && !grows(number);
     if (alike >= rules.patience && !waits &&
         std::all_of(made.end() - rules.patience, made.end(), has_no_bar) &&
         change(number) > goal.allowed_error())
@@ -319,7 +311,7 @@ namespace lamella
   {
     const auto &now = refinements.back().sources;
     if (std::find(now.begin(), now.end(), Source::section) == now.end() ||
-        made[made.size() - 2].recipe != last().recipe || division_is_refused)
+        made[made.size() - 2].recipe != last().recipe)
       return false;
     const auto share_of = [](const GoalResult &goal) {
       for (const auto &[name, share] : goal.shares)

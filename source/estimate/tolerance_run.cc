@@ -253,8 +253,6 @@ namespace lamella
   void
   ToleranceRun::refine()
   {
-    if (passes.open_goals().empty())
-      return;
     const Scene               next   = simulation->model().scene();
     const std::vector<Source> wanted = passes.wanted();
     refined                          = {wanted, {}};
@@ -280,49 +278,9 @@ namespace lamella
       }
     refined.divides_cells = richer.divisions != next.divisions ||
                             richer.corner_layers != next.corner_layers;
-    richer = with_min_degree(richer);
-    if (refined.divides_cells && !may_divide(richer))
-      return refine();
     if (!lost.empty())
       surrogate_errors = lost;
-    scene = richer;
-  }
-
-
-
-  bool
-  ToleranceRun::may_divide(const Scene &divided)
-  {
-    if (passes.division_refused())
-      throw NumericsError(
-        "estimate.division-costly: the next model has smaller "
-        "section cells, which would take more than " +
-        to_text(rules.max_division_cost) + " times the seconds of all passes");
-    const std::vector<std::string> before = passes.dropped_goals();
-    if (passes.may_divide(operations_of(divided)))
-      return true;
-    for (const std::string &sentence : passes.dropped_goals())
-      if (std::find(before.begin(), before.end(), sentence) == before.end())
-        out << "  " << sentence << "\n";
-    return false;
-  }
-
-
-
-  double
-  ToleranceRun::operations_of(const Scene &next)
-  {
-    // Both models together may not fit into memory.
-    simulation->release_solver();
-    std::ostream  nowhere(nullptr);
-    double        result  = std::numeric_limits<double>::infinity();
-    const Outcome outcome = outcome_of([&] {
-      result = total_operations(Simulation(next, nowhere, field_rules));
-    });
-    if (outcome.status != 0)
-      out << "  section cells are not divided: " << trimmed(outcome.message)
-          << "\n";
-    return result;
+    scene = with_min_degree(richer);
   }
 
 
@@ -416,8 +374,7 @@ namespace lamella
       {
         return strip_period(error.what());
       }
-    // Goals may have been dropped since cells are not divided.
-    return passes.reason_to_stop();
+    return "";
   }
 
 

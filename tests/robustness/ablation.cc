@@ -69,8 +69,6 @@ namespace
      [](EstimateRules &rules) { rules.min_bisected_share = 1.; }},
     {"min_share_of_previous = 0",
      [](EstimateRules &rules) { rules.min_share_of_previous = 0.; }},
-    {"max_division_cost off",
-     [](EstimateRules &rules) { rules.max_division_cost = infinite; }},
     {"slow_passes off", [](EstimateRules &rules) { rules.slow_passes = 99; }},
     {"patience off", [](EstimateRules &rules) { rules.patience = 99; }}};
 

@@ -229,27 +229,24 @@ BOOST_AUTO_TEST_CASE(cells_are_divided_before_a_number_is_given_up)
 
 
 
-BOOST_AUTO_TEST_CASE(cells_are_divided_only_if_the_next_pass_is_affordable)
+BOOST_AUTO_TEST_CASE(a_growing_goal_does_not_wait_for_smaller_cells)
 {
-  // Degrees that stall, by bars of one recipe; the section has the error.
-  const auto stalling = [](const double seconds) {
-    Pass pass       = pass_of({goal_of(1., {{"section", 0.03}})});
-    pass.operations = 1e10;
-    pass.seconds    = seconds;
-    return pass;
+  // No bar, the section's error is the largest; changes of 0.2 and 0.05 or 0.3.
+  const auto without_bar = [](const double value) {
+    GoalResult goal = goal_of(value, {{"section", 0.3}});
+    goal.trusted    = false;
+    goal.estimate   = 0.3;
+    return pass_of({goal});
   };
-  Passes passes;
-  passes.add(stalling(1.));
-  passes.add(stalling(2.), {{Source::section}});
-  BOOST_TEST(passes.degrees_stall());
-  // One second for 1e10 operations, two in all.
-  BOOST_TEST(passes.may_divide(7.9e10));
-  BOOST_TEST(passes.degrees_stall());
-  BOOST_TEST(!passes.may_divide(8.1e10));
-  BOOST_TEST(!passes.degrees_stall());
-  // A goal that waited for it is dropped after two passes.
-  passes.add(stalling(3.), {{Source::section}});
-  BOOST_TEST(passes.dropped_goals().size() == 1u);
+  for (const double last : {1.25, 1.5})
+    {
+      Passes passes;
+      passes.add(without_bar(1.));
+      passes.add(without_bar(1.2), {{Source::section}});
+      BOOST_TEST(passes.dropped_goals().empty());
+      passes.add(without_bar(last), {{Source::section}});
+      BOOST_TEST(passes.dropped_goals().size() == (last > 1.4 ? 1u : 0u));
+    }
 }
 
 

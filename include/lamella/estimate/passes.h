@@ -120,20 +120,6 @@ namespace lamella
     bool
     degrees_stall() const;
 
-    /// Returns true if a model with divided section cells, factorized in @p
-    /// operations, takes at most EstimateRules::max_division_cost times the
-    /// seconds of all passes. If not, cells are never divided, and goals that
-    /// wait for it are dropped.
-    bool
-    may_divide(const double operations);
-
-    /// Returns true if may_divide() was false once.
-    bool
-    division_refused() const
-    {
-      return division_is_refused;
-    }
-
     /// Returns true if the additional errors @p lost, one per goal, are at most
     /// the fraction EstimateRules::max_unrefined_share of the tolerances.
     bool
@@ -162,8 +148,10 @@ namespace lamella
     is_met(const unsigned int number) const;
     bool
     must_be_dropped(const unsigned int number) const;
-    void
-    drop_goals();
+    /// Returns true if a goal without a bar changes about as much as in the
+    /// pass before, as at a singularity.
+    bool
+    grows(const unsigned int number) const;
 
     EstimateRules               rules;
     std::vector<Pass>           made;

@@ -77,9 +77,6 @@ namespace lamella
     /// before for which the degree is raised again; above it, corners or large
     /// cells limit convergence.
     double max_degree_ratio = 0.5;
-    /// Section cells are divided only if the next pass then takes at most this
-    /// many times the seconds of all passes before.
-    double max_division_cost = 4.;
     /// Largest number of refinement passes.
     unsigned int max_passes = 8;
     /// Largest error of elements that are not bisected, share of the tolerance.

@@ -75,19 +75,10 @@ namespace lamella
     /// Returns @p next with the error sources of the next pass refined.
     Scene
     refined_in_sources(Scene next, const PlanRules &plan_rules) const;
-    /// Returns true if the model @p divided, with divided section cells, is not
-    /// too expensive (Passes::may_divide()). Throws NumericsError if division
-    /// was refused before: the section has no other refinement.
-    bool
-    may_divide(const Scene &divided);
     /// Checks budgets and generates the next model. Returns why there is none;
     /// empty if there is one.
     std::string
     prepare_next_pass();
-    /// Returns the multiplications to factorize the model of @p next; infinity,
-    /// with a message, if it cannot be built. Releases the last solver.
-    double
-    operations_of(const Scene &next);
     /// Writes the last results and the table of all passes into @p directory.
     void
     write_pass(const std::string &directory);
