@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from measure_aims import (aims, compact, flexure, growth_length, growth_plies, hairs,
                           paper, three_plies, walls)
-from measure_ablation import ablation, ablation_passes
+from measure_ablation import ablation, ablation_passes, ablation_unseen
 from measure_bars import bars, bars_richer
 from measure_corners import corners
 from measure_beyond import beyond
@@ -363,7 +363,7 @@ def main():
                                       parallel, million, fields, aims, hairs, walls,
                                       compact, flexure, three_plies, paper,
                                       growth_plies, growth_length, bars, bars_richer, ablation,
-                                      ablation_passes, corners,
+                                      ablation_passes, ablation_unseen, corners,
                                       rates, tolerances, templates, indentation, leaves, c3d20r, beyond,
                                       foreseen, plans, friction, rubbing, punch,
                                       cattaneo, coupon, crossed_cylinders, rubbing_cost,
@@ -375,7 +375,7 @@ def main():
     # A million DoFs take minutes and gigabytes: only when asked for.
     only_asked = ("parallel", "methods", "million", "fields", "aims", "hairs", "walls", "compact",
                   "flexure", "three_plies", "paper", "growth_plies", "growth_length", "bars",
-                  "bars_richer", "ablation", "ablation_passes", "corners", "tolerances", "templates", "indentation", "c3d20r", "beyond",
+                  "bars_richer", "ablation", "ablation_passes", "ablation_unseen", "corners", "tolerances", "templates", "indentation", "c3d20r", "beyond",
                   "foreseen", "plans", "friction", "rubbing", "punch", "cattaneo",
                   "coupon", "crossed_cylinders", "rubbing_cost", "rubbing_full", "rubbed", "rubbing_turning",
                   "rollers", "thin", "turning")

@@ -157,11 +157,11 @@ def program_of(program):
     return program or ROOT / "build/tests/ablation"
 
 
-def ablation(pick="", program=None, kept=None, jobs=2, count=150):
+def ablation(pick="", program=None, kept=None, jobs=2, count=150, seeds=(6501, 6502)):
     """The first table of doc/verification/error-bar-rules.md. With @p kept, a file of JSON lines,
     rows of scenes that it has are not made again."""
     program = program_of(program)
-    cases = [case for case in [*fixed(), *randoms((6501, 6502), count)] if pick in case[0]]
+    cases = [case for case in [*fixed(), *randoms(seeds, count)] if pick in case[0]]
     known = {}
     if kept and Path(kept).exists():
         for line in Path(kept).read_text().splitlines():
@@ -178,6 +178,11 @@ def ablation(pick="", program=None, kept=None, jobs=2, count=150):
         return known[case[0]]
     with ThreadPoolExecutor(jobs) as pool:
         report([row for rows in pool.map(make, cases) for row in rows])
+
+
+def ablation_unseen():
+    """The same for 100 random scenes of two other seeds."""
+    ablation("random", count=50, seeds=(6503, 6504))
 
 
 # Runs to a tolerance.
