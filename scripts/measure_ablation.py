@@ -50,10 +50,13 @@ def randoms(seeds, count):
             yield f"random {seed}.{number} ({scene.words})", scene, goals, [theory], finer, less
 
 
-def text_of(scene):
-    if isinstance(scene, hunt.Scene):
-        return scene.text
-    return scene_text(scene) if isinstance(scene, dict) else None
+def file_of(scene, folder):
+    """The path of @p scene, which is written into @p folder if it is no file."""
+    if isinstance(scene, Path):
+        return scene
+    path = Path(folder) / "scene.prm"
+    path.write_text(scene.text if isinstance(scene, hunt.Scene) else scene_text(scene))
+    return path
 
 
 def rows_of(case, program):
@@ -61,10 +64,7 @@ def rows_of(case, program):
     name, scene, goals, theories, finer, less = case
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        path = scene
-        if text_of(scene) is not None:
-            path = Path(folder) / "scene.prm"
-            path.write_text(text_of(scene))
+        path = file_of(scene, folder)
         limits = ("timeout", "300")
         truth, nearly = (BarRun(path, ["Goals/Error bars=false", *entries], limits)
                          for entries in (finer, less))
@@ -191,10 +191,7 @@ def pass_rows(case, program):
     """A row for each rule: whether all goals are met, the largest error, DoFs and seconds."""
     (name, scene, bodies, goals, _, finer), per_cent = case
     with tempfile.TemporaryDirectory() as folder:
-        path = scene
-        if isinstance(scene, dict):
-            path = Path(folder) / "scene.prm"
-            path.write_text(scene_text(scene))
+        path = file_of(scene, folder)
         truth = BarRun(path, [*finer, "Goals/Error bars=false"])
         words = [program, path, "Theory=auto", *graded(bodies), f"Goals/Tolerance={per_cent}",
                  "Goals/Quantities=" + " | ".join(goals), "Write VTU=false"]

@@ -9,19 +9,16 @@
 
 namespace lamella
 {
-  namespace
+  bool
+  pairs_nodes(const Scene &scene)
   {
-    bool
-    pairs_nodes(const Scene &scene)
-    {
-      return std::any_of(scene.contacts.begin(),
-                         scene.contacts.end(),
-                         [](const ContactPair &contact) {
-                           return contact.discretization ==
-                                  Discretization::node_to_node;
-                         });
-    }
-  } // namespace
+    return std::any_of(scene.contacts.begin(),
+                       scene.contacts.end(),
+                       [](const ContactPair &contact) {
+                         return contact.discretization ==
+                                Discretization::node_to_node;
+                       });
+  }
 
 
 

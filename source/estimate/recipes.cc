@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
+#include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/bar_costs.h>
 #include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/enrichment.h>
@@ -449,12 +450,7 @@ namespace lamella
     const bool  is_in_pieces =
       any_body(scene, [](const auto &body) { return !body.pieces.empty(); });
     if (is_in_pieces || scene.solve.rotations == Rotations::large ||
-        std::any_of(scene.contacts.begin(),
-                    scene.contacts.end(),
-                    [](const ContactPair &contact) {
-                      return contact.discretization ==
-                             Discretization::node_to_node;
-                    }))
+        pairs_nodes(scene))
       return {};
     const auto shorter =
       with_short_elements_at_supports(scene, run, rules.longest_at_support);

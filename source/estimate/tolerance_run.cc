@@ -163,12 +163,12 @@ namespace lamella
     if (simulation != nullptr)
       simulation->release_solver();
     std::ostream nowhere(nullptr);
-    auto         next = next_model(nowhere);
+    auto         next       = next_model(nowhere);
+    const double operations = total_operations(*next);
     out << "Pass " << number << ": " << next->results().n_dofs() << " DoFs"
         << (passes.all().empty() ?
               "" :
-              ", about " +
-                to_text(passes.predicted_seconds(total_operations(*next)), 2) +
+              ", about " + to_text(passes.predicted_seconds(operations), 2) +
                 " s")
         << std::endl;
     next->solve();
@@ -179,7 +179,7 @@ namespace lamella
                 sizes_of(next->model())});
     Pass pass;
     pass.dofs           = next->results().n_dofs();
-    pass.operations     = total_operations(*next);
+    pass.operations     = operations;
     const GoalBars bars = error_bars_of(*next, out, cache, rules);
     pass.goals          = bars.goals;
     pass.recipe         = bars.recipe;

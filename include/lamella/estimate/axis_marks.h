@@ -12,6 +12,11 @@
 
 namespace lamella
 {
+  /// Returns true if a contact of @p scene pairs nodes of two bodies, whose
+  /// axes can only be refined alike.
+  bool
+  pairs_nodes(const Scene &scene);
+
   /// Returns @p scene with the axis elements @p marked of its beams bisected.
   /// The axes must already be divided into elements. If a contact pairs the
   /// nodes of two bodies, all or none of their elements must be marked.

@@ -56,7 +56,7 @@ namespace lamella
   /// quarter with two degrees less. The last change is
   ///   d = max(|s_section| + |s_axis|, |J_0 - J_1|)
   /// with the changes s by section and axis from Surpluses (zero if unknown).
-  /// The same formula with J_1 - J_2 gives the previous change e. The bar is
+  /// This formula with J_1 - J_2 gives the previous change e. The bar is
   /// coarser_model_bar() of d and e, with an error of at least |J_1 - J_2| / 8.
   /// Without contacts, goals with a derivative have bars from surpluses alone.
   Recipe

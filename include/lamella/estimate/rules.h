@@ -17,14 +17,15 @@ namespace lamella
     double safety = 2.;
     /// Largest ratio of successive changes of a value with a trusted bar.
     double max_remaining_share = 2. / 3.;
-    /// The same for models on coarser axes: the change by a finer section over
-    /// the change by the increase of the degree before.
+    /// Largest such ratio for models on coarser axes: the change by a finer
+    /// section over the change by the increase of the degree before.
     double max_section_ratio = 0.8;
     /// A bar is also trusted if all changes are below this share of the scale.
     double small = 1e-2;
     /// Differences below this share of the scale are rounding errors.
     double digits = 1e-8;
-    /// Ratio of successive changes above which a value is reported to diverge.
+    /// Ratio of successive changes above which a value is reported to diverge,
+    /// and section cells are not divided for it (Passes).
     double growth = 0.9;
     /// Lower limit of a bar, as a fraction of the change one refinement before:
     /// the last change may be small by accident.
@@ -55,7 +56,7 @@ namespace lamella
     /// Smallest change of a goal by an error source that is refined once more
     /// (Estimation), as a fraction of the tolerance.
     double min_tolerance_share = 0.1;
-    /// The same without a tolerance, as a fraction of all changes.
+    /// Smallest such change without a tolerance, as a fraction of all changes.
     double min_total_share = 0.02;
     /// Factor of the sum of changes by all sources in a bar of Estimation.
     double of_shares = 0.5;
