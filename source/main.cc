@@ -4,7 +4,6 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/interruption.h>
 #include <lamella/base/memory.h>
-#include <lamella/base/mpi_session.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/comparison.h>

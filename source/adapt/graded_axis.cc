@@ -4,7 +4,7 @@
 #include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/plan.h>
 #include <lamella/base/arithmetic.h>
-#include <lamella/body/surface_names.h>
+#include <lamella/body/surface_topology.h>
 
 #include <deal.II/grid/grid_tools.h>
 

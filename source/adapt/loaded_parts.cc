@@ -3,7 +3,7 @@
 #include <lamella/adapt/loaded_parts.h>
 #include <lamella/adapt/local_interactions.h>
 #include <lamella/base/arithmetic.h>
-#include <lamella/body/surface_names.h>
+#include <lamella/body/surface_topology.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <lamella/base/text.h>
 #include <lamella/body/beam.h>
 #include <lamella/linear/linear_solver.h>
-#include <lamella/section/corners.h>
+#include <lamella/section/section.h>
 
 #include <algorithm>
 #include <cmath>

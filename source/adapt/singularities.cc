@@ -4,9 +4,8 @@
 #include <lamella/adapt/singularities.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
-#include <lamella/body/surface_names.h>
 #include <lamella/body/surface_topology.h>
-#include <lamella/section/corners.h>
+#include <lamella/section/section.h>
 
 #include <algorithm>
 #include <array>

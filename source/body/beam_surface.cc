@@ -5,7 +5,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/independent_rows.h>
 #include <lamella/body/beam.h>
-#include <lamella/body/surface_names.h>
 #include <lamella/body/surface_topology.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/body.h>
 #include <lamella/body/cell_grid.h>
-#include <lamella/body/surface_node.h>
 #include <lamella/body/surface_topology.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -11,7 +11,7 @@
 // than nodes per element avoids shear and membrane locking (Simo and Vu-Quoc,
 // Comput. Methods Appl. Mech. Eng. 58 (1986) 79-116).
 
-#include <lamella/base/lagrange.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/geometrically_exact_beam.h>
 

@@ -4,8 +4,6 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/solid.h>
-#include <lamella/body/surface_names.h>
-#include <lamella/body/surface_node.h>
 #include <lamella/body/surface_topology.h>
 
 #include <deal.II/base/geometry_info.h>

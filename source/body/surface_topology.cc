@@ -8,6 +8,81 @@
 
 namespace lamella
 {
+  using namespace dealii;
+
+  std::string
+  surface_names::end_name(const bool at_start)
+  {
+    return at_start ? "start" : "end";
+  }
+
+
+
+  bool
+  surface_names::is_whole_surface(const std::string &surface)
+  {
+    return surface == "all";
+  }
+
+
+
+  bool
+  surface_names::is_compound_surface(const std::string &surface)
+  {
+    return surface == "ends" || is_whole_surface(surface);
+  }
+
+
+
+  bool
+  surface_names::covers(const std::string &surface, const std::string &part)
+  {
+    return surface == part || is_whole_surface(surface) ||
+           (surface == "ends" && (part == "start" || part == "end"));
+  }
+
+
+
+  void
+  SurfaceNode::meet(const SurfacePoint &at)
+  {
+    const double cos_corner = std::cos(20. * numbers::PI / 180.);
+    if (!met)
+      {
+        point        = at;
+        point.corner = false;
+      }
+    else if (at.normal * point.normal < cos_corner)
+      point.corner = true;
+    met = true;
+  }
+
+
+
+  void
+  SurfaceNode::distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end)
+  {
+    for (SurfaceNode *end : {&one_end, &other_end})
+      {
+        end->area += 0.5 * area;
+        end->weighted += 0.5 * weighted;
+      }
+    met = false;
+  }
+
+
+
+  SurfacePoint
+  SurfaceNode::finished() const
+  {
+    SurfacePoint result = point;
+    result.area         = area;
+    result.normal       = weighted / weighted.norm();
+    return result;
+  }
+
+
+
   void
   SurfaceTopology::add(const SurfaceFacet               &side,
                        const std::vector<std::uint64_t> &grid,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/lagrange.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/total_lagrangian_beam.h>

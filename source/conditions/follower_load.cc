@@ -5,9 +5,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/conditions/couple.h>
-#include <lamella/conditions/current_points.h>
 #include <lamella/conditions/follower_pressure.h>
-#include <lamella/conditions/row_transformation.h>
 
 namespace lamella
 {

@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/line_crossings.h>
-#include <lamella/body/surface_names.h>
+#include <lamella/body/surface_topology.h>
 #include <lamella/conditions/region.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/contact/body_ends.h>
+#include <lamella/contact/contact_sides.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/slave_surface.h>
 

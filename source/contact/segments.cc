@@ -2,11 +2,133 @@
 
 #include <lamella/contact/segments.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
+#include <map>
 
 namespace lamella
 {
   using namespace dealii;
+
+  namespace
+  {
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+  } // namespace
+
+
+
+  double
+  area(const Polygon &polygon)
+  {
+    double sum = 0.;
+    for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+      sum += 0.5 * cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    return sum;
+  }
+
+
+
+  Point<2>
+  centroid(const Polygon &polygon)
+  {
+    Tensor<1, 2> moment;
+    double       sum = 0.;
+    for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+      {
+        const Tensor<1, 2> a = polygon[i] - polygon[0],
+                           b = polygon[i + 1] - polygon[0];
+        const double twice   = cross(a, b);
+        moment += twice / 3. * (a + b);
+        sum += twice;
+      }
+    return polygon[0] + moment / sum;
+  }
+
+
+
+  Polygon
+  clipped(const Polygon &polygon, const Polygon &window)
+  {
+    Polygon result = polygon;
+    for (unsigned int k = 0; k < window.size() && !result.empty(); ++k)
+      {
+        // What lies left of the line from p along d.
+        const Point<2>    &p = window[k];
+        const Tensor<1, 2> d = window[(k + 1) % window.size()] - p;
+        result               = part_above(result,
+                            [&](const Point<2> &x) { return cross(d, x - p); });
+      }
+    return result;
+  }
+
+
+
+  Polygon
+  part_above(const Polygon                                 &polygon,
+             const std::function<double(const Point<2> &)> &height)
+  {
+    std::vector<double> heights;
+    for (const Point<2> &corner : polygon)
+      heights.push_back(height(corner));
+    Polygon result;
+    for (unsigned int i = 0; i < polygon.size(); ++i)
+      {
+        const unsigned int next = (i + 1) % polygon.size();
+        const double       of_a = heights[i], of_b = heights[next];
+        if (of_a >= 0.)
+          result.push_back(polygon[i]);
+        if ((of_a > 0. && of_b < 0.) || (of_a < 0. && of_b > 0.))
+          result.push_back(polygon[i] +
+                           of_a / (of_a - of_b) * (polygon[next] - polygon[i]));
+      }
+    return result;
+  }
+
+
+  namespace
+  {
+    /// Gauss points of the square collapsed onto the triangle.
+    Quadrature<2>
+    collapsed_rule(const unsigned int degree)
+    {
+      const QGauss<1>       gauss(degree / 2 + 2);
+      std::vector<Point<2>> points;
+      std::vector<double>   weights;
+      for (unsigned int i = 0; i < gauss.size(); ++i)
+        for (unsigned int j = 0; j < gauss.size(); ++j)
+          {
+            const double u = gauss.point(i)[0];
+            points.emplace_back(u, (1. - u) * gauss.point(j)[0]);
+            weights.push_back((1. - u) * gauss.weight(i) * gauss.weight(j));
+          }
+      return {points, weights};
+    }
+  } // namespace
+
+
+
+  const Quadrature<2> &
+  triangle_rule(const unsigned int degree)
+  {
+    // Witherden and Vincent's rules end at degree 13.
+    static std::map<unsigned int, Quadrature<2>> rules;
+    const auto                                   known = rules.find(degree);
+    if (known != rules.end())
+      return known->second;
+    return rules
+      .emplace(degree,
+               degree > 13 ?
+                 collapsed_rule(degree) :
+                 Quadrature<2>(QWitherdenVincentSimplex<2>(degree / 2 + 1)))
+      .first->second;
+  }
+
+
 
   namespace
   {

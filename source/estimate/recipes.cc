@@ -2,10 +2,10 @@
 
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
-#include <lamella/estimate/bar_costs.h>
-#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/enrichment.h>
+#include <lamella/estimate/estimation.h>
 #include <lamella/estimate/recipes.h>
+#include <lamella/estimate/surpluses.h>
 
 #include <algorithm>
 #include <cmath>

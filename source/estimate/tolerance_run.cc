@@ -9,11 +9,11 @@
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/comparison.h>
 #include <lamella/estimate/comparison_models.h>
+#include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/initial_model.h>
-#include <lamella/estimate/run_goals.h>
 #include <lamella/estimate/tolerance_run.h>
-#include <lamella/report/csv_line.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/report/tables.h>
 #include <lamella/run/run_scene.h>
 
 #include <algorithm>

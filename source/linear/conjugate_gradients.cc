@@ -4,7 +4,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/conjugate_gradients.h>
-#include <lamella/linear/row_products.h>
+#include <lamella/linear/linear_solver.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>

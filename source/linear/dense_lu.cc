@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/linear/dense_lu.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace lamella
 {
@@ -111,5 +113,33 @@ namespace lamella
     for (std::size_t i = 0; i < n; ++i)
       x[i] *= weight[i];
     return x;
+  }
+
+
+
+  DenseCholesky::DenseCholesky(std::vector<double> matrix,
+                               const unsigned int  n,
+                               const char *const   what)
+    : factor(std::move(matrix))
+    , n(n)
+  {
+    dealii::types::blas_int size = n, info = 0;
+    if (n > 0)
+      dealii::potrf("L", &size, factor.data(), &size, &info);
+    if (info != 0)
+      throw NumericsError("linear.singular-matrix: " + std::string(what) +
+                          " is numerically singular.");
+  }
+
+
+
+  void
+  DenseCholesky::solve(std::vector<double> &x) const
+  {
+    const dealii::types::blas_int size = n, one = 1;
+    dealii::types::blas_int       info = 0;
+    if (n > 0)
+      dealii::potrs(
+        "L", &size, &one, factor.data(), &size, x.data(), &size, &info);
   }
 } // namespace lamella

@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/linear/row_products.h>
+#include <lamella/linear/linear_solver.h>
 
 #include <dmumps_c.h>
 

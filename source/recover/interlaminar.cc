@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/lagrange.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/recover/interlaminar.h>
 
 #include <deal.II/base/quadrature_lib.h>

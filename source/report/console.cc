@@ -7,7 +7,7 @@
 #include <lamella/recover/sampler.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
-#include <lamella/report/plies_table.h>
+#include <lamella/report/tables.h>
 
 #include <algorithm>
 #include <cmath>

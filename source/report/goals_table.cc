@@ -2,7 +2,6 @@
 
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
-#include <lamella/report/csv_line.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/tables.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/lagrange.h>
+#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/section/finite_strain_section_operator.h>
 
 #include <algorithm>

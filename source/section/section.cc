@@ -6,6 +6,7 @@
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
 #include <lamella/section/taylor_element.h>
+#include <lamella/shape/corner_layers.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -428,5 +429,17 @@ namespace lamella
     else
       element = std::make_unique<TaylorElement>(mesh, of_section.order);
     return std::make_shared<Section>(std::move(element), of_section);
+  }
+
+
+
+  std::vector<dealii::Point<2>>
+  corners_of(const Section &section)
+  {
+    const SectionMesh            &mesh = section.element().section_mesh();
+    std::vector<dealii::Point<2>> corners;
+    for (const unsigned int vertex : singular_corners(mesh))
+      corners.push_back(mesh.mesh.get_vertices()[vertex]);
+    return corners;
   }
 } // namespace lamella

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/shape/ellipse_projection.h>
+#include <lamella/shape/curve_normals.h>
 #include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/manifold_lib.h>

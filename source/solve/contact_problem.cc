@@ -1,11 +1,109 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/exceptions.h>
 #include <lamella/solve/contact_problem.h>
 
 #include <algorithm>
 
 namespace lamella
 {
+  using namespace dealii;
+
+  FrictionState
+  FrictionState::unloaded(const GapConstraints &rows)
+  {
+    const std::vector<Tensor<1, 3>> none(rows.size());
+    FrictionState                   state{none, none, none, {}, 0.};
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      state.history[rows.material_point(r)].gap = rows[r].initial_gap;
+    return state;
+  }
+
+
+
+  void
+  throw_unstable()
+  {
+    throw NumericsError(
+      std::string(
+        "solve.friction-unstable: The equilibrium with friction is unstable: "
+        "bodies that touch at their ends jam") +
+      friction_remedy);
+  }
+
+
+
+  double
+  FrictionState::all_dissipated() const
+  {
+    double sum = 0.;
+    for (const auto &[point, of] : history)
+      sum += of.dissipated;
+    return sum;
+  }
+
+
+
+  double
+  FrictionState::dissipated_in(const unsigned int contact) const
+  {
+    double sum = 0.;
+    for (const auto &[point, of] : history)
+      if (point.first == contact)
+        sum += of.dissipated;
+    return sum;
+  }
+
+
+
+  Tensor<1, 2>
+  along_tangents(const GapConstraint &row, const Tensor<1, 3> &vector)
+  {
+    Tensor<1, 2> components;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      components[a] = vector * row.slips[a].tangent;
+    return components;
+  }
+
+
+
+  Tensor<1, 3>
+  in_scene(const GapConstraint &row, const Tensor<1, 2> &components)
+  {
+    Tensor<1, 3> vector;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      vector += components[a] * row.slips[a].tangent;
+    return vector;
+  }
+
+
+
+  Tensor<1, 2>
+  slip_of(const GapConstraint &row,
+          const BlockVector   &u,
+          const LoadFactor    &factor)
+  {
+    Tensor<1, 2> slip;
+    for (unsigned int a = 0; a < row.slips.size(); ++a)
+      slip[a] = row.slips[a].slip(u, factor);
+    return slip;
+  }
+
+
+
+  void
+  add_force(const GapConstraint &row,
+            const double         normal,
+            const Tensor<1, 3>  &shear,
+            BlockVector         &f)
+  {
+    row.add_to(f, normal);
+    for (const SlipConstraint &slip : row.slips)
+      slip.add_to(f, slip.tangent * shear);
+  }
+
+
+
   double
   NumericalCompliance::operator()(const GapConstraint &row) const
   {

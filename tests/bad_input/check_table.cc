@@ -24,7 +24,7 @@
 // numerics, its tasks) is a case of a .bad file.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/material/plausibility.h>
 #include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>

@@ -7,7 +7,7 @@
 // rule of refinement off. Prints CSV: rule, goal, value, scale, bar, trusted
 // (met, with a Tolerance), has_limit (passes), seconds (of all).
 
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/estimate/comparison.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/scene/scene_text.h>

@@ -3,8 +3,8 @@
 // Bars from poorer models, from models on half of the axis and from exact rows
 // in the place of penalties, against models that are solved.
 
-#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/comparison.h>
+#include <lamella/estimate/surpluses.h>
 
 #include "quantities.h"
 #include "solved_scene.h"

@@ -5,8 +5,8 @@
 // law itself, line by line, and not the map that was solved.
 
 #include <lamella/linear/dense_lu.h>
-#include <lamella/solve/coulomb.h>
 #include <lamella/solve/dense_interface_system.h>
+#include <lamella/solve/interface_solver.h>
 #include <lamella/solve/interior_point.h>
 
 #include <boost/test/unit_test.hpp>

@@ -3,7 +3,7 @@
 // What a goal near zero is small against: a soft core bears next to nothing
 // beside its stiff faces, and is judged by what it bears itself.
 
-#include <lamella/estimate/run_goals.h>
+#include <lamella/estimate/error_bar.h>
 
 #include <boost/test/unit_test.hpp>
 

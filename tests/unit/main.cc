@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #define BOOST_TEST_MODULE lamella
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -12,7 +12,6 @@
 #include <lamella/conditions/follower_load.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/shape_change.h>
-#include <lamella/section/twist_stretch.h>
 #include <lamella/shape/shapes.h>
 #include <lamella/solve/nonlinear_solver.h>
 

@@ -5,8 +5,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/section/pointwise_section_operator.h>
-#include <lamella/section/product_section_operator.h>
+#include <lamella/section/section_operator.h>
 
 #include <boost/test/unit_test.hpp>
 

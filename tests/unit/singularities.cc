@@ -5,7 +5,7 @@
 
 #include <lamella/adapt/singularities.h>
 #include <lamella/estimate/comparison.h>
-#include <lamella/estimate/run_goals.h>
+#include <lamella/estimate/error_bar.h>
 
 #include "solved_scene.h"
 #include <boost/test/unit_test.hpp>

@@ -9,7 +9,7 @@
 #include "solid_fixtures.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/body/solid_parameters.h>
+#include <lamella/body/parameters.h>
 #include <lamella/body/surface_topology.h>
 #include <lamella/shape/shapes.h>
 

@@ -6,7 +6,6 @@
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/beam_surplus.h>
-#include <lamella/estimate/coarser_scenes.h>
 #include <lamella/estimate/comparison.h>
 #include <lamella/estimate/error_bar.h>
 #include <lamella/estimate/surpluses.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/trade/variants.h>
+#include <lamella/trade/trade.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -10,7 +10,6 @@
 #include <lamella/body/solid.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/shape/curve_normals.h>
-#include <lamella/shape/ellipse_projection.h>
 #include <lamella/shape/properties.h>
 #include <lamella/shape/shapes.h>
 

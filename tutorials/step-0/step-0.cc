@@ -15,7 +15,7 @@
 // A beam is a section times an axis; each has its own room in the library.
 #include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/body_solver.h>
 #include <lamella/conditions/load.h>

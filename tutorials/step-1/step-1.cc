@@ -11,7 +11,7 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/section/theory.h>
 #include <lamella/shape/laminate.h>

@@ -11,7 +11,7 @@
 #include "../coupon.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 
 #include <deal.II/base/table_handler.h>
 

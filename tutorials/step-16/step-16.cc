@@ -9,7 +9,7 @@
 // against the true errors. See README.md in this folder.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/estimation.h>
 

@@ -11,10 +11,10 @@
 // within a budget. See README.md in this folder.
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
-#include <lamella/trade/variants.h>
+#include <lamella/trade/trade.h>
 
 #include <deal.II/base/table_handler.h>
 #include <deal.II/base/timer.h>

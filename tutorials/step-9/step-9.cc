@@ -12,7 +12,7 @@
 #include "../cantilever.h"
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 
 #include <deal.II/base/table_handler.h>
 

@@ -9,7 +9,7 @@
 #define lamella_adapt_node_fields_h
 
 #include <lamella/adapt/boundary_layer_cache.h>
-#include <lamella/adapt/plan_rules.h>
+#include <lamella/adapt/plan.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>
 

@@ -5,7 +5,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/body/frame_strains.h>
-#include <lamella/section/twist_stretch.h>
+#include <lamella/section/saint_venant.h>
 
 #include <algorithm>
 #include <memory>

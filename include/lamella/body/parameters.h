@@ -11,11 +11,31 @@
 #include <lamella/section/theory.h>
 #include <lamella/shape/section_mesh.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
 
 namespace lamella
 {
+  /// Entries of `subsection Kinematics` for the mesh of a solid, with defaults:
+  ///   Refinements    divisions of all hexahedra into eight           (0)
+  ///   Refine near    further divisions of hexahedra in balls,
+  ///                  `x, y, z: radius: times`, separated by '|'      (none)
+  /// Balls are in scene axes. Beams ignore both entries.
+  struct SolidParameters
+  {
+    /// Declares the entries in the current subsection of @p prm.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// Returns the mesh refinement of a body at @p placement, with balls in
+    /// body axes. Throws InputError for an invalid ball, a radius that is not
+    /// positive, and more than 8 divisions.
+    static SolidRefinement
+    parse(const Entries &in, const Placement &placement);
+  };
+
   /// Description of a body as read from a scene: placement, section, theory and
   /// axial mesh. make_bodies() constructs the body.
   struct BodyDescription

@@ -8,10 +8,74 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lamella
 {
+  /// Functions on the names of surfaces that every body has: `start` (y = 0),
+  /// `end` (y = L), `ends` (both), `all` (ends and lateral surfaces).
+  namespace surface_names
+  {
+    /// Returns "start" if @p at_start is true, otherwise "end".
+    std::string
+    end_name(const bool at_start);
+
+    /// Returns true if @p surface is `all`: ends and lateral surfaces.
+    bool
+    is_whole_surface(const std::string &surface);
+
+    /// Returns true if @p surface is `ends` or `all`, which combine surfaces.
+    bool
+    is_compound_surface(const std::string &surface);
+
+    /// Returns true if the surface @p surface is @p part or contains it.
+    bool
+    covers(const std::string &surface, const std::string &part);
+  } // namespace surface_names
+
+  /// Computes the tributary area int N dA of a surface node with shape function
+  /// N, and its mean normal along int N n dA, as sums over facets.
+  class SurfaceNode
+  {
+  public:
+    /// Sets the location of the node to that of @p at, a facet point at the
+    /// node. Marks a corner if its facets' normals differ by 20 degrees or
+    /// more.
+    void
+    meet(const SurfacePoint &at);
+
+    /// Adds the area @p share [length^2] of a facet with the normal @p normal.
+    void
+    add(const double share, const dealii::Tensor<1, 3> &normal)
+    {
+      area += share;
+      weighted += share * normal;
+    }
+
+    /// Distributes the area of this hanging node to the two nodes that
+    /// constrain it, half to each; has_point() is false afterwards.
+    void
+    distribute_to_ends(SurfaceNode &one_end, SurfaceNode &other_end);
+
+    /// Returns true if the node has a location, set by meet().
+    bool
+    has_point() const
+    {
+      return met;
+    }
+
+    /// Returns the node with area and mean normal. Requires has_point().
+    SurfacePoint
+    finished() const;
+
+  private:
+    double               area = 0.;
+    dealii::Tensor<1, 3> weighted;
+    bool                 met = false;
+    SurfacePoint         point;
+  };
+
   /// Facets (element faces) of a surface and the indices of their nodes, for
   /// continuous functions on the surface such as mortar multipliers. Facets
   /// share a node if their elements do, not if nodes merely coincide.

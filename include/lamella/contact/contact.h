@@ -6,9 +6,9 @@
 #include <lamella/contact/constraint_assembly.h>
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/cylinder_contact_lines.h>
-#include <lamella/contact/end_penetration.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/gap_integrals.h>
+#include <lamella/contact/pass_through.h>
 
 #include <memory>
 #include <optional>

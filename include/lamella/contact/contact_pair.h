@@ -3,16 +3,202 @@
 #ifndef lamella_contact_contact_pair_h
 #define lamella_contact_contact_pair_h
 
+#include <lamella/base/linear_algebra.h>
+#include <lamella/base/names.h>
+#include <lamella/conditions/load_factor.h>
 #include <lamella/conditions/region.h>
-#include <lamella/contact/enforcement.h>
-#include <lamella/contact/obstacle.h>
 
+#include <deal.II/base/point.h>
+
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace lamella
 {
+  /// A rigid obstacle, the second side of contacts: a floor (half space behind
+  /// a plane) or a roller (infinite circular cylinder), in prescribed motion or
+  /// pressed by a given force along a guide (GuidedObstacle).
+  struct Obstacle
+  {
+    /// Shape of an obstacle; `undefined` until it is set.
+    enum class Shape
+    {
+      undefined,
+      plane,
+      cylinder
+    };
+
+    /// Name in `subsection Obstacle NAME`, and in `Second` of contacts.
+    std::string name;
+    Shape       shape = Shape::undefined; ///< Plane or cylinder.
+    /// Initial position of a point of the plane or of the cylinder axis.
+    dealii::Point<3> point;
+    /// Unit normal out of the half space, or direction of the cylinder axis.
+    dealii::Tensor<1, 3> direction;
+    /// Radius of the cylinder [length]; unused by a plane.
+    double radius = 0.;
+    /// Prescribed translation at load factor 1 [length], scene axes.
+    dealii::Tensor<1, 3> displacement;
+    /// Index of the load history of the displacement (LoadFactor::of()).
+    unsigned int history = 0;
+
+    /// Force at load factor 1 in place of `displacement` [force], scene axes;
+    /// zero if the motion is prescribed.
+    dealii::Tensor<1, 3> force = {};
+    /// Index of the GuidedObstacle whose DoF is the displacement along `force`;
+    /// empty if the motion is prescribed.
+    std::optional<unsigned int> body = {};
+
+    /// Returns the displacement [length] at load factor @p factor and, for an
+    /// obstacle under a force, displacements @p u of all bodies. Without its
+    /// block in @p u (temporary models), the obstacle is not displaced.
+    dealii::Tensor<1, 3>
+    displacement_at(const LoadFactor &factor, const BlockVector &u) const
+    {
+      dealii::Tensor<1, 3> moved = factor.of(history) * displacement;
+      if (body && *body < u.n_blocks())
+        moved += u.block(*body)[0] * guide();
+      return moved;
+    }
+
+    /// Returns the unit vector along `force`.
+    dealii::Tensor<1, 3>
+    guide() const
+    {
+      return force / force.norm();
+    }
+
+    /// Returns true if the obstacle never moves.
+    bool
+    is_fixed() const
+    {
+      return displacement.norm() == 0. && !body;
+    }
+
+    /// Returns the largest depth at which the nearest surface point is unique:
+    /// the radius of a cylinder, infinity for a plane.
+    double
+    depth() const
+    {
+      return shape == Shape::plane ? std::numeric_limits<double>::infinity() :
+                                     radius;
+    }
+
+    /// Returns the component of @p v normal to the cylinder axis.
+    dealii::Tensor<1, 3>
+    across_axis(const dealii::Tensor<1, 3> &v) const
+    {
+      return v - (v * direction) * direction;
+    }
+  };
+
+  /// Names of the shapes of obstacles in parameter files.
+  template <>
+  struct Names<Obstacle::Shape>
+  {
+    static constexpr NameOf<Obstacle::Shape> all[] = {
+      {Obstacle::Shape::plane, "plane"},
+      {Obstacle::Shape::cylinder, "cylinder"}}; ///< Value and name.
+  };
+
+  /// Intersection of a line with a surface.
+  struct Hit
+  {
+    dealii::Point<3>     position; ///< Position, scene axes.
+    dealii::Tensor<1, 3> normal;   ///< Outward unit normal of the surface.
+    /// Distance along the line [length], negative against its direction: a gap.
+    double distance = 0.;
+  };
+
+  /// Returns the nearest intersection, in either direction, of the line x + t
+  /// d, with unit vector d, and the surface of the undisplaced @p obstacle, at
+  /// which the line enters the obstacle against its outward normal:
+  ///   plane:     t = (p - x) . N / (d . N),
+  ///   cylinder:  |r + t e| = R, the smaller root t,
+  /// with point p, direction N and radius R of the obstacle, and the components
+  /// r and e of x - p and d normal to the axis. The result is empty if the line
+  /// is parallel to the surface, leaves the half space, or misses the cylinder.
+  std::optional<Hit>
+  meet(const Obstacle             &obstacle,
+       const dealii::Point<3>     &x,
+       const dealii::Tensor<1, 3> &d);
+
+  /// Returns true if @p x is inside the undisplaced @p obstacle.
+  bool
+  contains(const Obstacle &obstacle, const dealii::Point<3> &x);
+
+  /// Enforcement of contact constraints. An active constraint satisfies g + a
+  /// lambda = 0 with gap g, force lambda and compliance a = 1 / eps for
+  /// `penalty` (parameter eps [force / length]), else a = 0.
+  enum class Enforcement
+  {
+    undefined,
+    penalty,              ///< lambda = eps max(0, -g): bodies penetrate
+    augmented_lagrangian, ///< penalty about a multiplier estimate, improved
+                          ///< until there is no penetration
+    exact                 ///< Lagrange multipliers: g >= 0
+  };
+
+  /// Names of the enforcement methods in parameter files.
+  template <>
+  struct Names<Enforcement>
+  {
+    static constexpr NameOf<Enforcement> all[] = {
+      {Enforcement::penalty, "penalty"},
+      {Enforcement::augmented_lagrangian, "augmented lagrangian"},
+      {Enforcement::exact, "exact"}}; ///< Value and name of each method.
+  };
+
+  /// Unit of a penalty parameter. A small penalty permits penetration; a large
+  /// one increases rounding errors (doc/theory/penalty.md).
+  enum class PenaltyKind
+  {
+    undefined,
+    automatic, ///< a multiple of the local stiffness of the cells in contact
+    per_node,  ///< force / length, as in Eq. 23 of Nagaraj et al. 2020
+    per_area   ///< force / length^3, times the tributary area: mesh-independent
+  };
+
+  /// Names of units of a numeric penalty; `auto` needs no unit.
+  template <>
+  struct Names<PenaltyKind>
+  {
+    /// Value and name of each unit.
+    static constexpr NameOf<PenaltyKind> all[] =
+      {{PenaltyKind::per_area, "area"}, {PenaltyKind::per_node, "node"}};
+  };
+
+  /// Penalty parameter of a contact, as given in a scene file.
+  struct Penalty
+  {
+    /// Unit of `value`. Must be set before row_penalty().
+    PenaltyKind kind = PenaltyKind::undefined;
+    /// Positive penalty; if `automatic`, a multiple of the local stiffness.
+    double value = 0.;
+  };
+
+  /// Stiffness E_n A / h [force / length] of the cell behind one side of a
+  /// contact constraint: a bar of modulus E_n, cross section A and length h.
+  struct LocalStiffness
+  {
+    double normal_modulus = 0., ///< Modulus along the normal [force/length^2].
+      area                = 0., ///< Tributary area [length^2].
+      depth               = 0.; ///< Cell depth along the normal [length].
+  };
+
+  /// Returns the penalty parameter of one constraint [force / length]:
+  ///   automatic   value * min over both sides of E_n A / h
+  ///   per_node    value
+  ///   per_area    value * A, A that of @p first (both sides have the same)
+  /// with the members of @p penalty, and the normal modulus E_n, tributary area
+  /// A and cell depth h > 0 of @p first and @p second. Supports do not enter.
+  double
+  row_penalty(const Penalty        &penalty,
+              const LocalStiffness &first,
+              const LocalStiffness &second);
+
   /// Discretization of the gap function, Eq. 16 of Nagaraj et al. 2020. Only
   /// `surface to surface` passes patch tests on arbitrary meshes.
   enum class Discretization

@@ -5,8 +5,10 @@
 
 #include <lamella/base/linear_algebra.h>
 #include <lamella/base/linear_functional.h>
+#include <lamella/body/body.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/mesh_surface.h>
+#include <lamella/contact/search.h>
 
 #include <array>
 #include <memory>
@@ -14,6 +16,22 @@
 
 namespace lamella
 {
+  /// Search tree of the nodes at both end sections of an undeformed body.
+  class BodyEnds
+  {
+  public:
+    explicit BodyEnds(const Body &body); ///< Collects the end nodes.
+
+    /// Returns true if an end node is at @p x, to 1e-9 of the body size.
+    bool
+    has(const dealii::Point<3> &x) const;
+
+  private:
+    double                        near = 0.;
+    std::vector<dealii::Point<3>> nodes;
+    PointSearch                   search;
+  };
+
   /// Geometry of the two surfaces of a contact, undeformed or deformed, for
   /// pairing and constraints. Each surface is created at first use, in scene
   /// axes. Keeps references to the bodies, which must outlive this object.

@@ -4,9 +4,9 @@
 #define lamella_contact_cylinder_contact_lines_h
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/contact/contact_pair.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/mesh_surface.h>
-#include <lamella/contact/obstacle.h>
 
 #include <optional>
 #include <vector>

@@ -8,7 +8,6 @@
 #ifndef lamella_contact_gap_constraints_h
 #define lamella_contact_gap_constraints_h
 
-#include <lamella/contact/constraint_geometry.h>
 #include <lamella/contact/contact_pair.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/slave_surface.h>

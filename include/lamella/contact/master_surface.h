@@ -3,7 +3,7 @@
 #ifndef lamella_contact_master_surface_h
 #define lamella_contact_master_surface_h
 
-#include <lamella/contact/obstacle.h>
+#include <lamella/contact/contact_pair.h>
 
 #include <memory>
 #include <optional>

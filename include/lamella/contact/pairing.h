@@ -3,16 +3,50 @@
 #ifndef lamella_contact_pairing_h
 #define lamella_contact_pairing_h
 
-#include <lamella/contact/constraint_geometry.h>
-#include <lamella/contact/enforcement.h>
+#include <lamella/base/linear_functional.h>
+#include <lamella/body/body.h>
+#include <lamella/contact/contact_pair.h>
 #include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/slave_surface.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace lamella
 {
+  /// Weights and points of the gap constraints on one side of a contact,
+  /// independent of the discretization of the body. Constraint r is
+  ///   sum_k w_rk . u(X_k)
+  /// for a displacement field u and points X_k. Its row in the constraint
+  /// matrix is the product of the weights w_rk and the displacement rows of
+  /// Body::rows(), so another discretization of the same body, or the deformed
+  /// body, can use the same gaps and contact forces. A node pair has one point
+  /// per side, with the weight -n on the first and n on the second, n the
+  /// normal. A weighted gap has the trace nodes of its facets, with weights
+  /// 1/A_i int phi_i psi_k n dA: phi_i is the multiplier function, A_i its
+  /// integral, psi_k the displacement shape function of the node.
+  struct ConstraintGeometry
+  {
+    /// Pairs (index in `places`, weight vector) of one constraint, scene axes.
+    using Weights = std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
+
+    /// Points in the body for which the contact was created.
+    std::vector<Location> places;
+    /// Weights of each constraint; empty for an obstacle.
+    std::vector<Weights> weights;
+  };
+
+  /// Returns the constraints of @p side as functionals of the @p n_dofs DoFs of
+  /// the body with index @p index: row r is sum_k sum_c w_rk,c R_kc with the
+  /// weights w_rk of @p side. @p at has the three displacement rows R_kc of
+  /// each point k, from Body::rows() of any discretization of the body.
+  std::vector<BodyFunctional>
+  body_rows(const unsigned int                                index,
+            const DofIndex                                    n_dofs,
+            const std::vector<std::vector<LinearFunctional>> &at,
+            const ConstraintGeometry                         &side);
+
   /// A pair of facing nodes, one of each contact surface, for node-to-node
   /// contact (Sec. 3.3 of Nagaraj et al. 2020).
   struct PointPair
@@ -169,6 +203,24 @@ namespace lamella
   count_facing_cells(const MeshSurface &a,
                      const MeshSurface &b,
                      const double       search_radius);
+
+  /// Throws InputError for a contact without facing points within @p
+  /// search_radius [length]. The message gives the smallest distance or offset.
+  [[noreturn]] void
+  throw_no_pairs(const ContactPair &contact,
+                 const Bodies      &bodies,
+                 const double       search_radius);
+
+  /// Throws InputError if a slave point deep behind the master surface
+  /// (Gaps::deep_penetrations) lies inside the other body, or if @p gaps has no
+  /// other points. Deep points outside the other body are accepted: they face
+  /// away from it (the upper half of a roller). The slave is the second surface
+  /// if @p on_second is true, else the first.
+  void
+  check_no_penetration(const ContactPair &contact,
+                       const Bodies      &bodies,
+                       const bool         on_second,
+                       const Gaps        &gaps);
 } // namespace lamella
 
 #endif

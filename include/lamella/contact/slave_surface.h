@@ -4,8 +4,8 @@
 #define lamella_contact_slave_surface_h
 
 #include <lamella/body/facet_map.h>
-#include <lamella/contact/polygon.h>
 #include <lamella/contact/search.h>
+#include <lamella/contact/segments.h>
 
 #include <optional>
 #include <string>

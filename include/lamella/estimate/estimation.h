@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#ifndef lamella_estimate_estimation_h
+#define lamella_estimate_estimation_h
+
 // The room `estimate`: errors of a run's numbers. It owns the surpluses of a
 // run, the models that it is compared with, the error bars made of them, and
 // the loop that refines to a tolerance. Simulation solves its other models,
 // and duals (goal_dual.h) use the run's solver. It never factorizes a body
 // itself.
 
-#ifndef lamella_estimate_estimation_h
-#define lamella_estimate_estimation_h
-
+#include <lamella/adapt/plan.h>
 #include <lamella/estimate/comparison_models.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/run_goals.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/simulation.h>
+#include <lamella/scene/scene.h>
 
 #include <iosfwd>
 #include <memory>
@@ -24,6 +25,34 @@
 
 namespace lamella
 {
+  /// Returns a lower bound of the number of multiplications for the Cholesky
+  /// factorizations of @p run, the sum of z^2 / n for factors with n columns
+  /// and z nonzeros. Returns 0 if there are none (`cg`, strategy `full`).
+  double
+  operations(const Simulation &run);
+
+  /// Returns the estimated number of multiplications for error bars by finer
+  /// models (Estimation), in which SV-10 replaces Lagrange expansions LE-N. It
+  /// is the sum of
+  /// - factorization: c m^3 per axis node with m section functions, c =
+  ///   CostRules::of_block, and CostRules::axes times the nodes of the run;
+  /// - proper orthogonal decomposition of the responses to harmonic loads;
+  /// - solutions on short end segments for the boundary-layer modes.
+  ///
+  /// Returns infinity unless SV-10 can replace LE-N in all bodies.
+  double
+  operations_of_bars(const Simulation &run,
+                     const PlanRules  &rules = {},
+                     const CostRules  &cost  = {});
+
+  /// Returns the estimated number of multiplications of two models on axes
+  /// halved @p times, for bodies of @p sizes: @p rich, of LE-N, and one degree
+  /// less.
+  double
+  operations_of_coarser_axes(const Scene                 &rich,
+                             const std::vector<BodySize> &sizes,
+                             const unsigned int           times);
+
   /// Error bars of the goals of a run from finer models of the same scene:
   ///   M_0          the run
   ///   M_1 .. M_k   each with one error source refined relative to a

@@ -3,7 +3,7 @@
 #ifndef lamella_estimate_initial_model_h
 #define lamella_estimate_initial_model_h
 
-#include <lamella/adapt/plan_rules.h>
+#include <lamella/adapt/plan.h>
 #include <lamella/run/simulation.h>
 
 namespace lamella

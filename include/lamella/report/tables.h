@@ -7,11 +7,64 @@
 #include <lamella/recover/results.h>
 #include <lamella/shape/section_mesh.h>
 
+#include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
+#include <type_traits>
 
 namespace lamella
 {
+  /// Returns @p value with at most 15 significant digits, in any locale.
+  std::string
+  csv(const double value);
+
+  /// A line of a CSV file.
+  class CsvLine
+  {
+  public:
+    /// Appends @p cell: a text (not quoted), a number (csv()), 1 or 0 for true
+    /// and false, a value that may be absent (an empty cell), or the components
+    /// of a tensor.
+    template <typename Cell>
+    CsvLine &
+    operator<<(const Cell &cell)
+    {
+      if constexpr (std::is_same_v<Cell, bool>)
+        return append(cell ? "1" : "0");
+      else if constexpr (std::is_integral_v<Cell>)
+        return append(std::to_string(cell));
+      else if constexpr (std::is_floating_point_v<Cell>)
+        return append(csv(cell));
+      else if constexpr (std::is_same_v<Cell, std::optional<double>>)
+        return append(cell ? csv(*cell) : "");
+      else if constexpr (std::is_convertible_v<Cell, std::string>)
+        return append(cell);
+      else
+        for (unsigned int c = 0; c < Cell::dimension; ++c)
+          *this << double(cell[c]);
+      return *this;
+    }
+
+    /// Returns the line with a newline.
+    std::string
+    text() const
+    {
+      return content + "\n";
+    }
+
+  private:
+    CsvLine &
+    append(const std::string &cell)
+    {
+      content += separator + cell;
+      separator = ",";
+      return *this;
+    }
+
+    std::string content, separator;
+  };
+
   /// Contents of result files by file name, such as `lines/NAME.csv`.
   using FileTexts = std::map<std::string, std::string>;
 
@@ -38,10 +91,6 @@ namespace lamella
   std::string
   failure_table(const Results &results);
 
-  /// Returns @p value with at most 15 significant digits, in any locale.
-  std::string
-  csv(const double value);
-
   /// Returns the content of fields.csv: the number of section functions (terms
   /// of the expansion over the cross-section) at each axis node of each beam. A
   /// line per node has the columns
@@ -57,6 +106,12 @@ namespace lamella
   /// two ends, and seven points between them if the side is curved.
   std::string
   section_table(const SectionMesh &section);
+
+  /// Prints the critical ply, criterion and failure mode of each load step, the
+  /// five smallest reserve factors of the last step, and the load at first
+  /// failure. No output if the scene has no strength analysis.
+  void
+  print_reserves(std::ostream &out, const Results &results);
 } // namespace lamella
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#ifndef lamella_section_section_h
+#define lamella_section_section_h
+
 // The room `section`: displacement functions over a section. Cross-section
 // expansions F_tau (Taylor, layer-wise Lagrange), beam theories, the section
 // matrices S_pq of the fundamental nuclei, and the completion of strains. It is
 // independent of the axis.
-
-#ifndef lamella_section_section_h
-#define lamella_section_section_h
 
 #include <lamella/base/linear_algebra.h>
 #include <lamella/section/cross_section_element.h>
@@ -15,14 +15,12 @@
 #include <lamella/section/strain_completion.h>
 #include <lamella/section/theory.h>
 
-#include <boost/geometry/index/rtree.hpp>
-
 #include <deal.II/lac/lapack_full_matrix.h>
-
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/geometry/index/rtree.hpp>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -366,6 +364,11 @@ namespace lamella
   std::shared_ptr<const Section>
   make_section(const std::shared_ptr<const SectionMesh> &mesh,
                const Theory                             &theory);
+
+  /// Returns the positions (x, z) of the points of @p section with singular
+  /// stresses: re-entrant corners, and ends of ply interfaces on the boundary.
+  std::vector<dealii::Point<2>>
+  corners_of(const Section &section);
 } // namespace lamella
 
 #endif

@@ -3,10 +3,10 @@
 #ifndef lamella_solve_condensed_strategy_h
 #define lamella_solve_condensed_strategy_h
 
-#include <lamella/linear/dense_cholesky.h>
-#include <lamella/solve/compliance.h>
+#include <lamella/linear/dense_lu.h>
 #include <lamella/solve/contact_strategy.h>
-#include <lamella/solve/coulomb.h>
+#include <lamella/solve/interface_solver.h>
+#include <lamella/solve/interface_system.h>
 
 #include <optional>
 #include <set>

@@ -3,7 +3,6 @@
 #ifndef lamella_solve_nonlinear_solver_h
 #define lamella_solve_nonlinear_solver_h
 
-#include <lamella/solve/active_constraint_shift.h>
 #include <lamella/solve/linear_system.h>
 #include <lamella/solve/moving_contacts.h>
 #include <lamella/solve/nonlinear_parameters.h>

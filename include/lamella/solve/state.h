@@ -6,7 +6,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/contact/contact.h>
 #include <lamella/solve/contact_problem.h>
-#include <lamella/solve/friction_state.h>
 #include <lamella/solve/structure.h>
 
 #include <algorithm>

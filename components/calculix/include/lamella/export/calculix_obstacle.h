@@ -3,7 +3,7 @@
 #ifndef lamella_export_calculix_obstacle_h
 #define lamella_export_calculix_obstacle_h
 
-#include <lamella/contact/obstacle.h>
+#include <lamella/contact/contact_pair.h>
 
 #include <deal.II/base/point.h>
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/mpi_session.h>
+#include <lamella/base/processes.h>
 
 #include <deal.II/base/multithread_info.h>
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <dlfcn.h>
 
 namespace lamella
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/obstacle.h>
+#include <lamella/contact/contact_pair.h>
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella
@@ -65,5 +66,29 @@ namespace lamella
     return obstacle.shape == Obstacle::Shape::plane ?
              r * obstacle.direction < 0. :
              obstacle.across_axis(r).norm() < obstacle.radius;
+  }
+
+
+
+  double
+  row_penalty(const Penalty        &penalty,
+              const LocalStiffness &first,
+              const LocalStiffness &second)
+  {
+    const auto stiffness = [](const LocalStiffness &side) {
+      return side.normal_modulus * side.area / side.depth;
+    };
+    switch (penalty.kind)
+      {
+        case PenaltyKind::automatic:
+          return penalty.value * std::min(stiffness(first), stiffness(second));
+        case PenaltyKind::per_node:
+          return penalty.value;
+        case PenaltyKind::per_area:
+          return penalty.value * first.area;
+        default:
+          Assert(false, dealii::ExcMessage("The penalty was never set."));
+          return 0.;
+      }
   }
 } // namespace lamella
