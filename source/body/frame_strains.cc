@@ -50,7 +50,30 @@ namespace lamella
 
     struct Forms
     {
-      Forms();
+      Forms()
+      {
+        for (unsigned int a = 0; a < 4; ++a)
+          for (unsigned int b = 0; b < 4; ++b)
+            {
+              const Quaternion turned = components(conj(unit(a)) * unit(b));
+              for (unsigned int i = 0; i < 3; ++i)
+                curvature[i][a][b] = 2. * turned[1 + i];
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  const Quaternion v =
+                    components(unit(a) * unit(1 + j) * conj(unit(b)));
+                  for (unsigned int i = 0; i < 3; ++i)
+                    {
+                      rotation[i][j][a][b] += v[1 + i] / 2.;
+                      rotation[i][j][b][a] += v[1 + i] / 2.;
+                    }
+                }
+            }
+        for (unsigned int j = 0; j < 3; ++j)
+          tilt[j] = rotation[1][j];
+        for (unsigned int a = 0; a < 4; ++a)
+          tilt[1][a][a] -= 1.;
+      }
 
       /// (R e_j)_i |Q|^2 = Q . rotation[i][j] Q, symmetric.
       std::array<std::array<Form, 3>, 3> rotation;
@@ -60,30 +83,7 @@ namespace lamella
       std::array<Form, 3> tilt;
     };
 
-    Forms::Forms()
-    {
-      for (unsigned int a = 0; a < 4; ++a)
-        for (unsigned int b = 0; b < 4; ++b)
-          {
-            const Quaternion turned = components(conj(unit(a)) * unit(b));
-            for (unsigned int i = 0; i < 3; ++i)
-              curvature[i][a][b] = 2. * turned[1 + i];
-            for (unsigned int j = 0; j < 3; ++j)
-              {
-                const Quaternion v =
-                  components(unit(a) * unit(1 + j) * conj(unit(b)));
-                for (unsigned int i = 0; i < 3; ++i)
-                  {
-                    rotation[i][j][a][b] += v[1 + i] / 2.;
-                    rotation[i][j][b][a] += v[1 + i] / 2.;
-                  }
-              }
-          }
-      for (unsigned int j = 0; j < 3; ++j)
-        tilt[j] = rotation[1][j];
-      for (unsigned int a = 0; a < 4; ++a)
-        tilt[1][a][a] -= 1.;
-    }
+
 
     const Forms &
     forms()

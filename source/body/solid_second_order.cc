@@ -15,51 +15,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  /// SecondOrder of a Solid, in the body's axes.
-  class SolidSecondOrder : public SecondOrder
-  {
-  public:
-    SolidSecondOrder(const Solid &solid, const Vector &u);
-
-    void
-    add_load(Vector &f) const override;
-    double
-    solve(const Vector &v) override;
-    void
-    add_geometric_forces(const Vector &w, Vector &f) const override;
-    double
-    largest_short_wave_ratio() const override
-    {
-      return Utilities::MPI::max(largest_wave, communicator());
-    }
-
-  private:
-    using Samples = std::vector<std::vector<Voigt>>;
-
-    /// The sample points of a hexahedron with weight times det(jacobian).
-    std::vector<HexahedronPoint>
-    sample_points(const Solid::Kind &kind) const;
-    /// @p use (cell, point, B, law) for each own hexahedron at each of its
-    /// quadrature points: strains there are B times relative displacements.
-    template <typename Use>
-    void
-    for_each_point(const Use &use) const;
-    /// e_2 of @p cell at @p unit, between its samples.
-    Voigt
-    stretch_at(const unsigned int cell, const Point<3> &unit) const;
-
-    const Solid                  &solid;
-    const Vector                  u;
-    const QGauss<3>               samples;
-    const FE_DGQArbitraryNodes<3> between;
-    /// e_2 and the stress s of each cell's samples; empty for cells of others.
-    Samples stretch, stress;
-    /// Value of largest_short_wave_ratio() on this process.
-    double largest_wave = 0.;
-  };
-
-
-
   namespace
   {
     /// grad u of the displacements @p v of a hexahedron's nodes, by rows.
@@ -120,160 +75,175 @@ namespace lamella
 
 
 
-  SolidSecondOrder::SolidSecondOrder(const Solid &solid, const Vector &u)
-    : solid(solid)
-    , u(u)
-    , samples(solid.degree())
-    , between(QGauss<1>(solid.degree()))
-    , stretch(solid.mesh.cells().size())
-    , stress(stretch.size())
+  /// SecondOrder of a Solid, in the body's axes.
+  class SolidSecondOrder : public SecondOrder
   {
-    for (const Solid::Kind &kind : solid.kinds)
-      if (!kind.own_cells.empty())
-        for (const HexahedronPoint &point : sample_points(kind))
+  public:
+    SolidSecondOrder(const Solid &solid, const Vector &u)
+      : solid(solid)
+      , u(u)
+      , samples(solid.degree())
+      , between(QGauss<1>(solid.degree()))
+      , stretch(solid.mesh.cells().size())
+      , stress(stretch.size())
+    {
+      for (const Solid::Kind &kind : solid.kinds)
+        if (!kind.own_cells.empty())
+          for (const HexahedronPoint &point : sample_points(kind))
+            for (const unsigned int cell : kind.own_cells)
+              stretch[cell].push_back(strain_of_rotation(
+                gradient(point, solid.relative_displacements(cell, u))));
+    }
+
+    void
+    add_load(Vector &f) const override
+    {
+      Vector share(f.size());
+      for_each_point([&](const unsigned int        cell,
+                         const HexahedronPoint    &point,
+                         const std::vector<Voigt> &B,
+                         const ElasticLaw         &law) {
+        const Voigt stress = law.stiffness() * stretch_at(cell, point.unit);
+        const std::vector<DofIndex> dofs = solid.dofs_of(cell);
+        for (unsigned int d = 0; d < dofs.size(); ++d)
+          share[dofs[d]] -= point.JxW * (B[d] * stress);
+      });
+      sum_over_processes(share);
+      f += share;
+    }
+
+    double
+    solve(const Vector &v) override
+    {
+      double energy = 0.;
+      for_each_point([&](const unsigned int        cell,
+                         const HexahedronPoint    &point,
+                         const std::vector<Voigt> &B,
+                         const ElasticLaw         &law) {
+        energy +=
+          point.JxW * law.energy_density(
+                        stretch_at(cell, point.unit) +
+                        strain_of(B, solid.relative_displacements(cell, v)));
+      });
+      for (const Solid::Kind &kind : solid.kinds)
+        {
+          if (kind.own_cells.empty())
+            continue;
+          const std::vector<HexahedronPoint> points = sample_points(kind);
           for (const unsigned int cell : kind.own_cells)
-            stretch[cell].push_back(strain_of_rotation(
-              gradient(point, solid.relative_displacements(cell, u))));
-  }
+            stress[cell].clear();
+          for (unsigned int s = 0; s < points.size(); ++s)
+            {
+              const std::vector<Voigt> B =
+                solid.element.strains(points[s], kind.modes);
+              for (const unsigned int cell : kind.own_cells)
+                {
+                  const ElasticLaw law =
+                    solid.law_at(cell, points[s].unit, points[s].position);
+                  stress[cell].push_back(law.stress(
+                    stretch[cell][s] +
+                    strain_of(B, solid.relative_displacements(cell, v)) +
+                    strain_of(B, solid.relative_displacements(cell, u))));
+                  largest_wave = std::max(largest_wave,
+                                          short_wave_ratio(stress[cell].back(),
+                                                           law.stiffness()));
+                }
+            }
+        }
+      return Utilities::MPI::sum(energy, communicator());
+    }
 
+    void
+    add_geometric_forces(const Vector &w, Vector &f) const override
+    {
+      Vector share(f.size());
+      for (const Solid::Kind &kind : solid.kinds)
+        {
+          if (kind.own_cells.empty())
+            continue;
+          const std::vector<HexahedronPoint> points = sample_points(kind);
+          for (const unsigned int cell : kind.own_cells)
+            {
+              const std::vector<double> v =
+                solid.relative_displacements(cell, w);
+              const std::vector<DofIndex> dofs = solid.dofs_of(cell);
+              for (unsigned int s = 0; s < points.size(); ++s)
+                {
+                  // Row by component, as grad w is.
+                  const Tensor<2, 3> force = points[s].JxW *
+                                             gradient(points[s], v) *
+                                             tensor_of(stress[cell][s]);
+                  for (unsigned int d = 0; d < dofs.size(); ++d)
+                    share[dofs[d]] += force[d % 3] * points[s].gradients[d / 3];
+                }
+            }
+        }
+      sum_over_processes(share);
+      f += share;
+    }
 
+    double
+    largest_short_wave_ratio() const override
+    {
+      return Utilities::MPI::max(largest_wave, communicator());
+    }
 
-  std::vector<HexahedronPoint>
-  SolidSecondOrder::sample_points(const Solid::Kind &kind) const
-  {
-    std::vector<HexahedronPoint> points;
-    const Hexahedron::Nodes      nodes = solid.nodes_of(kind.cell);
-    for (unsigned int s = 0; s < samples.size(); ++s)
-      {
-        points.push_back(solid.element.evaluate(nodes, samples.point(s)));
-        points.back().JxW =
-          samples.weight(s) * determinant(points.back().jacobian);
-      }
-    return points;
-  }
+  private:
+    using Samples = std::vector<std::vector<Voigt>>;
 
+    /// The sample points of a hexahedron with weight times det(jacobian).
+    std::vector<HexahedronPoint>
+    sample_points(const Solid::Kind &kind) const
+    {
+      std::vector<HexahedronPoint> points;
+      const Hexahedron::Nodes      nodes = solid.nodes_of(kind.cell);
+      for (unsigned int s = 0; s < samples.size(); ++s)
+        {
+          points.push_back(solid.element.evaluate(nodes, samples.point(s)));
+          points.back().JxW =
+            samples.weight(s) * determinant(points.back().jacobian);
+        }
+      return points;
+    }
 
+    /// @p use (cell, point, B, law) for each own hexahedron at each of its
+    /// quadrature points: strains there are B times relative displacements.
+    template <typename Use>
+    void
+    for_each_point(const Use &use) const
+    {
+      for (const Solid::Kind &kind : solid.kinds)
+        if (!kind.own_cells.empty())
+          for (const HexahedronPoint &point :
+               solid.element.quadrature_points(solid.nodes_of(kind.cell)))
+            {
+              const std::vector<Voigt> B =
+                solid.element.strains(point, kind.modes);
+              const ElasticLaw law = solid.law(kind.cell, point.position);
+              for (const unsigned int cell : kind.own_cells)
+                use(cell, point, B, law);
+            }
+    }
 
-  Voigt
-  SolidSecondOrder::stretch_at(const unsigned int cell,
-                               const Point<3>    &unit) const
-  {
-    Voigt e;
-    for (unsigned int s = 0; s < samples.size(); ++s)
-      e += between.shape_value(s, unit) * stretch[cell][s];
-    return e;
-  }
+    /// e_2 of @p cell at @p unit, between its samples.
+    Voigt
+    stretch_at(const unsigned int cell, const Point<3> &unit) const
+    {
+      Voigt e;
+      for (unsigned int s = 0; s < samples.size(); ++s)
+        e += between.shape_value(s, unit) * stretch[cell][s];
+      return e;
+    }
 
-
-
-  template <typename Use>
-  void
-  SolidSecondOrder::for_each_point(const Use &use) const
-  {
-    for (const Solid::Kind &kind : solid.kinds)
-      if (!kind.own_cells.empty())
-        for (const HexahedronPoint &point :
-             solid.element.quadrature_points(solid.nodes_of(kind.cell)))
-          {
-            const std::vector<Voigt> B =
-              solid.element.strains(point, kind.modes);
-            const ElasticLaw law = solid.law(kind.cell, point.position);
-            for (const unsigned int cell : kind.own_cells)
-              use(cell, point, B, law);
-          }
-  }
-
-
-
-  void
-  SolidSecondOrder::add_load(Vector &f) const
-  {
-    Vector share(f.size());
-    for_each_point([&](const unsigned int        cell,
-                       const HexahedronPoint    &point,
-                       const std::vector<Voigt> &B,
-                       const ElasticLaw         &law) {
-      const Voigt stress = law.stiffness() * stretch_at(cell, point.unit);
-      const std::vector<DofIndex> dofs = solid.dofs_of(cell);
-      for (unsigned int d = 0; d < dofs.size(); ++d)
-        share[dofs[d]] -= point.JxW * (B[d] * stress);
-    });
-    sum_over_processes(share);
-    f += share;
-  }
-
-
-
-  double
-  SolidSecondOrder::solve(const Vector &v)
-  {
-    double energy = 0.;
-    for_each_point([&](const unsigned int        cell,
-                       const HexahedronPoint    &point,
-                       const std::vector<Voigt> &B,
-                       const ElasticLaw         &law) {
-      energy +=
-        point.JxW *
-        law.energy_density(stretch_at(cell, point.unit) +
-                           strain_of(B, solid.relative_displacements(cell, v)));
-    });
-    for (const Solid::Kind &kind : solid.kinds)
-      {
-        if (kind.own_cells.empty())
-          continue;
-        const std::vector<HexahedronPoint> points = sample_points(kind);
-        for (const unsigned int cell : kind.own_cells)
-          stress[cell].clear();
-        for (unsigned int s = 0; s < points.size(); ++s)
-          {
-            const std::vector<Voigt> B =
-              solid.element.strains(points[s], kind.modes);
-            for (const unsigned int cell : kind.own_cells)
-              {
-                const ElasticLaw law =
-                  solid.law_at(cell, points[s].unit, points[s].position);
-                stress[cell].push_back(law.stress(
-                  stretch[cell][s] +
-                  strain_of(B, solid.relative_displacements(cell, v)) +
-                  strain_of(B, solid.relative_displacements(cell, u))));
-                largest_wave = std::max(largest_wave,
-                                        short_wave_ratio(stress[cell].back(),
-                                                         law.stiffness()));
-              }
-          }
-      }
-    return Utilities::MPI::sum(energy, communicator());
-  }
-
-
-
-  void
-  SolidSecondOrder::add_geometric_forces(const Vector &w, Vector &f) const
-  {
-    Vector share(f.size());
-    for (const Solid::Kind &kind : solid.kinds)
-      {
-        if (kind.own_cells.empty())
-          continue;
-        const std::vector<HexahedronPoint> points = sample_points(kind);
-        for (const unsigned int cell : kind.own_cells)
-          {
-            const std::vector<double> v = solid.relative_displacements(cell, w);
-            const std::vector<DofIndex> dofs = solid.dofs_of(cell);
-            for (unsigned int s = 0; s < points.size(); ++s)
-              {
-                // Row by component, as grad w is.
-                const Tensor<2, 3> force = points[s].JxW *
-                                           gradient(points[s], v) *
-                                           tensor_of(stress[cell][s]);
-                for (unsigned int d = 0; d < dofs.size(); ++d)
-                  share[dofs[d]] += force[d % 3] * points[s].gradients[d / 3];
-              }
-          }
-      }
-    sum_over_processes(share);
-    f += share;
-  }
+    const Solid                  &solid;
+    const Vector                  u;
+    const QGauss<3>               samples;
+    const FE_DGQArbitraryNodes<3> between;
+    /// e_2 and the stress s of each cell's samples; empty for cells of others.
+    Samples stretch, stress;
+    /// Value of largest_short_wave_ratio() on this process.
+    double largest_wave = 0.;
+  };
 
 
 

@@ -140,100 +140,73 @@ namespace lamella
         , points(body, locations_of(couple.points()))
       {}
       void
-      add_forces(const double  factor,
-                 const Vector &u,
-                 Vector       &f) const override;
+      add_forces(const double factor, const Vector &u, Vector &f) const override
+      {
+        std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
+        for (Tensor<1, 3> &force : forces)
+          force *= factor;
+        points.add_forces(forces, u, f);
+      }
+
       void
       add_derivative(const double  factor,
                      const Vector &u,
                      const Vector &w,
-                     Vector       &f) const override;
+                     Vector       &f) const override
+      {
+        const std::vector<Point<3>> x = moved(u);
+        std::vector<Tensor<1, 3>>   forces =
+          couple.change(x, points.changes(u, w));
+        for (Tensor<1, 3> &force : forces)
+          force *= factor;
+        if (is_root_process())
+          points.add_forces(forces, u, f);
+        points.add_rotated_forces(couple.forces(x), factor, u, w, f);
+      }
+
       void
       for_each_stiffness_block(const double         factor,
                                const Vector        &u,
                                const bool           with_values,
-                               const BlockCallback &use) const override;
+                               const BlockCallback &use) const override
+      {
+        const RowTransformation to_dofs(points.rows(u));
+        if (!with_values)
+          return is_root_process() ? use(to_dofs.pattern()) : void();
+        const std::vector<Point<3>>  x        = moved(u);
+        const Couple::CoupleRotation rotation = couple.rotation_of(x);
+        StiffnessBlock               block    = to_dofs.pattern();
+        const unsigned int           n        = block.rows.size();
+        block.values.assign(n * n, 0.);
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const auto spin    = to_dofs.form(rotation.spin[k]),
+                       stretch = to_dofs.form(rotation.stretch[k]);
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                block.values[i * n + j] +=
+                  0.5 * factor * (spin[i] * stretch[j] + stretch[i] * spin[j]);
+          }
+        if (is_root_process())
+          use(block);
+        points.for_each_rotation_block(couple.forces(x), -factor, u, use);
+      }
 
     private:
       /// Where @p u moves the points to.
       std::vector<Point<3>>
-      moved(const Vector &u) const;
+      moved(const Vector &u) const
+      {
+        const std::vector<Tensor<1, 3>> by = points.displacements(u);
+        std::vector<Point<3>>           x;
+        for (unsigned int k = 0; k < by.size(); ++k)
+          x.push_back(couple.points()[k].position + by[k]);
+        return x;
+      }
 
       const Couple        couple;
       const CurrentPoints points;
     };
-
-
-
-    std::vector<Point<3>>
-    FollowerCouple::moved(const Vector &u) const
-    {
-      const std::vector<Tensor<1, 3>> by = points.displacements(u);
-      std::vector<Point<3>>           x;
-      for (unsigned int k = 0; k < by.size(); ++k)
-        x.push_back(couple.points()[k].position + by[k]);
-      return x;
-    }
-
-
-
-    void
-    FollowerCouple::add_forces(const double  factor,
-                               const Vector &u,
-                               Vector       &f) const
-    {
-      std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
-      for (Tensor<1, 3> &force : forces)
-        force *= factor;
-      points.add_forces(forces, u, f);
-    }
-
-
-
-    void
-    FollowerCouple::add_derivative(const double  factor,
-                                   const Vector &u,
-                                   const Vector &w,
-                                   Vector       &f) const
-    {
-      const std::vector<Point<3>> x    = moved(u);
-      std::vector<Tensor<1, 3>> forces = couple.change(x, points.changes(u, w));
-      for (Tensor<1, 3> &force : forces)
-        force *= factor;
-      if (is_root_process())
-        points.add_forces(forces, u, f);
-      points.add_rotated_forces(couple.forces(x), factor, u, w, f);
-    }
-
-
-
-    void
-    FollowerCouple::for_each_stiffness_block(const double         factor,
-                                             const Vector        &u,
-                                             const bool           with_values,
-                                             const BlockCallback &use) const
-    {
-      const RowTransformation to_dofs(points.rows(u));
-      if (!with_values)
-        return is_root_process() ? use(to_dofs.pattern()) : void();
-      const std::vector<Point<3>>  x        = moved(u);
-      const Couple::CoupleRotation rotation = couple.rotation_of(x);
-      StiffnessBlock               block    = to_dofs.pattern();
-      const unsigned int           n        = block.rows.size();
-      block.values.assign(n * n, 0.);
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const auto spin    = to_dofs.form(rotation.spin[k]),
-                     stretch = to_dofs.form(rotation.stretch[k]);
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              block.values[i * n + j] +=
-                0.5 * factor * (spin[i] * stretch[j] + stretch[i] * spin[j]);
-        }
-      if (is_root_process())
-        use(block);
-      points.for_each_rotation_block(couple.forces(x), -factor, u, use);
-    }
 
 
 

@@ -30,47 +30,6 @@ namespace lamella
 
 
 
-    /// A load that is integrated.
-    class LoadValues
-    {
-    public:
-      explicit LoadValues(const Load &load)
-        : path("Load " + load.name)
-        , traction(load)
-        , is_constant(traction.is_constant())
-      {}
-
-      /// The load on @p region of @p body, integrated.
-      PointForces
-      on(const Region &region, const Body &body) const;
-
-    private:
-      /// Of a line or a point, which have no normal.
-      Tensor<1, 3>
-      force_at(const Point<3> &x) const
-      {
-        return traction(x, Tensor<1, 3>());
-      }
-
-      void
-      at_points(const Region &region,
-                const Body   &body,
-                PointForces  &result) const;
-      void
-      along_line(const Region &region,
-                 const Body   &body,
-                 PointForces  &result) const;
-      void
-                        on_surface(const Region &region,
-                                   const Body   &body,
-                                   PointForces  &result) const;
-      const std::string path;
-      const Traction    traction;
-      const bool        is_constant;
-    };
-
-
-
     /// Adds @p force, constant per unit of the square of an affine @p facet, at
     /// as few points as integrate its trace functions exactly.
     void
@@ -88,143 +47,6 @@ namespace lamella
             result.locations.push_back(body.surface_point(facet, st).location);
             result.forces.push_back(s.weight(i) * t.weight(j) * force);
           }
-    }
-
-
-
-    /// Adds @p moments, of the trace functions of @p facet, at their nodes.
-    void
-    add_moments(const Body                      &body,
-                const SurfaceFacet              &facet,
-                const std::vector<Tensor<1, 3>> &moments,
-                PointForces                     &result)
-    {
-      const QGaussLobatto<1> s(facet.trace_degree_s + 1),
-        t(facet.trace_degree_t + 1);
-      for (unsigned int j = 0; j < t.size(); ++j)
-        for (unsigned int i = 0; i < s.size(); ++i)
-          {
-            const Point<2> st(s.point(i)[0], t.point(j)[0]);
-            result.locations.push_back(body.surface_point(facet, st).location);
-            result.forces.push_back(moments[j * s.size() + i]);
-          }
-    }
-
-
-
-    void
-    LoadValues::at_points(const Region &region,
-                          const Body   &body,
-                          PointForces  &result) const
-    {
-      result.locations = locate_all(body, region.at, path + "/At");
-      for (const Point<3> &x : region.at)
-        result.forces.push_back(force_at(x));
-    }
-
-
-
-    void
-    LoadValues::along_line(const Region &region,
-                           const Body   &body,
-                           PointForces  &result) const
-    {
-      const Point<3> &a = region.at[0], &b = region.at[1];
-      locate_all(body, region.at, path + "/At");
-      const std::vector<double> breaks = body.line_breaks(a, b);
-      const unsigned int        degree = body.line_degree(a, b);
-      const auto position = [&](const unsigned int piece, const double s) {
-        return a + (breaks[piece] + s * (breaks[piece + 1] - breaks[piece])) *
-                     (b - a);
-      };
-      std::vector<LoadCell> cells;
-      for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
-        {
-          const double length = (breaks[k + 1] - breaks[k]) * a.distance(b);
-          cells.push_back({[this, position, k, length](const Point<2> &s) {
-                             return length * force_at(position(k, s[0]));
-                           },
-                           {{degree, 0}},
-                           {{length, 0.}}});
-        }
-      result.integral = load_moments(cells);
-      const QGaussLobatto<1> nodes(degree + 1);
-      std::vector<Point<3>>  points;
-      for (unsigned int k = 0; k < cells.size(); ++k)
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          {
-            points.push_back(position(k, nodes.point(i)[0]));
-            result.forces.push_back(result.integral.of_cells[k][i]);
-          }
-      result.locations = locate_all(body, points, path);
-      result.place     = position(result.integral.cell, 0.5);
-    }
-
-
-
-    void
-    LoadValues::on_surface(const Region &region,
-                           const Body   &body,
-                           PointForces  &result) const
-    {
-      check_surface(body, region.surface, path + "/On");
-      const std::vector<SurfaceFacet> all =
-        surface_facets(body, region.surface);
-      std::vector<const SurfaceFacet *> facets;
-      std::vector<LoadCell>             cells;
-      for (const SurfaceFacet &facet : all)
-        {
-          const FacetMap map(body, facet);
-          // Force per unit of the square: |n| is the area per unit.
-          const auto force = [this, map](const Point<2> &st) {
-            const FacetMap::Place place = map(st);
-            const Tensor<1, 3>    n     = map.outward(place);
-            const double          area  = n.norm();
-            return area * traction(place.position, n / area);
-          };
-          if (is_constant && map.is_affine())
-            {
-              add_constant(body, facet, force(Point<2>()), result);
-              continue;
-            }
-          facets.push_back(&facet);
-          cells.push_back({force,
-                           {{facet.trace_degree_s, facet.trace_degree_t}},
-                           {{facet.corners[0].distance(facet.corners[1]),
-                             facet.corners[0].distance(facet.corners[2])}}});
-        }
-      result.integral = load_moments(cells);
-      for (unsigned int k = 0; k < facets.size(); ++k)
-        add_moments(body, *facets[k], result.integral.of_cells[k], result);
-      if (!facets.empty())
-        result.place =
-          body.surface_point(*facets[result.integral.cell], {0.5, 0.5})
-            .position;
-    }
-
-
-
-    PointForces
-    LoadValues::on(const Region &region, const Body &body) const
-    {
-      PointForces result;
-      switch (region.kind)
-        {
-          case Region::Kind::point:
-            at_points(region, body, result);
-            break;
-          case Region::Kind::line:
-            along_line(region, body, result);
-            break;
-          case Region::Kind::surface:
-            on_surface(region, body, result);
-            break;
-          default:
-            Assert(false, ExcMessage("A load has no such region."));
-        }
-      if (is_constant)
-        result.integral = {};
-      return result;
     }
 
 
@@ -289,6 +111,159 @@ namespace lamella
         }
     }
   } // namespace
+
+
+
+  /// Adds @p moments, of the trace functions of @p facet, at their nodes.
+  void
+  add_moments(const Body                      &body,
+              const SurfaceFacet              &facet,
+              const std::vector<Tensor<1, 3>> &moments,
+              PointForces                     &result)
+  {
+    const QGaussLobatto<1> s(facet.trace_degree_s + 1),
+      t(facet.trace_degree_t + 1);
+    for (unsigned int j = 0; j < t.size(); ++j)
+      for (unsigned int i = 0; i < s.size(); ++i)
+        {
+          const Point<2> st(s.point(i)[0], t.point(j)[0]);
+          result.locations.push_back(body.surface_point(facet, st).location);
+          result.forces.push_back(moments[j * s.size() + i]);
+        }
+  }
+
+
+
+  /// A load that is integrated.
+  class LoadValues
+  {
+  public:
+    explicit LoadValues(const Load &load)
+      : path("Load " + load.name)
+      , traction(load)
+      , is_constant(traction.is_constant())
+    {}
+
+    /// The load on @p region of @p body, integrated.
+    PointForces
+    on(const Region &region, const Body &body) const
+    {
+      PointForces result;
+      switch (region.kind)
+        {
+          case Region::Kind::point:
+            at_points(region, body, result);
+            break;
+          case Region::Kind::line:
+            along_line(region, body, result);
+            break;
+          case Region::Kind::surface:
+            on_surface(region, body, result);
+            break;
+          default:
+            Assert(false, ExcMessage("A load has no such region."));
+        }
+      if (is_constant)
+        result.integral = {};
+      return result;
+    }
+
+  private:
+    /// Of a line or a point, which have no normal.
+    Tensor<1, 3>
+    force_at(const Point<3> &x) const
+    {
+      return traction(x, Tensor<1, 3>());
+    }
+
+    void
+    at_points(const Region &region, const Body &body, PointForces &result) const
+    {
+      result.locations = locate_all(body, region.at, path + "/At");
+      for (const Point<3> &x : region.at)
+        result.forces.push_back(force_at(x));
+    }
+
+    void
+    along_line(const Region &region,
+               const Body   &body,
+               PointForces  &result) const
+    {
+      const Point<3> &a = region.at[0], &b = region.at[1];
+      locate_all(body, region.at, path + "/At");
+      const std::vector<double> breaks = body.line_breaks(a, b);
+      const unsigned int        degree = body.line_degree(a, b);
+      const auto position = [&](const unsigned int piece, const double s) {
+        return a + (breaks[piece] + s * (breaks[piece + 1] - breaks[piece])) *
+                     (b - a);
+      };
+      std::vector<LoadCell> cells;
+      for (unsigned int k = 0; k + 1 < breaks.size(); ++k)
+        {
+          const double length = (breaks[k + 1] - breaks[k]) * a.distance(b);
+          cells.push_back({[this, position, k, length](const Point<2> &s) {
+                             return length * force_at(position(k, s[0]));
+                           },
+                           {{degree, 0}},
+                           {{length, 0.}}});
+        }
+      result.integral = load_moments(cells);
+      const QGaussLobatto<1> nodes(degree + 1);
+      std::vector<Point<3>>  points;
+      for (unsigned int k = 0; k < cells.size(); ++k)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            points.push_back(position(k, nodes.point(i)[0]));
+            result.forces.push_back(result.integral.of_cells[k][i]);
+          }
+      result.locations = locate_all(body, points, path);
+      result.place     = position(result.integral.cell, 0.5);
+    }
+
+    void
+    on_surface(const Region &region,
+               const Body   &body,
+               PointForces  &result) const
+    {
+      check_surface(body, region.surface, path + "/On");
+      const std::vector<SurfaceFacet> all =
+        surface_facets(body, region.surface);
+      std::vector<const SurfaceFacet *> facets;
+      std::vector<LoadCell>             cells;
+      for (const SurfaceFacet &facet : all)
+        {
+          const FacetMap map(body, facet);
+          // Force per unit of the square: |n| is the area per unit.
+          const auto force = [this, map](const Point<2> &st) {
+            const FacetMap::Place place = map(st);
+            const Tensor<1, 3>    n     = map.outward(place);
+            const double          area  = n.norm();
+            return area * traction(place.position, n / area);
+          };
+          if (is_constant && map.is_affine())
+            {
+              add_constant(body, facet, force(Point<2>()), result);
+              continue;
+            }
+          facets.push_back(&facet);
+          cells.push_back({force,
+                           {{facet.trace_degree_s, facet.trace_degree_t}},
+                           {{facet.corners[0].distance(facet.corners[1]),
+                             facet.corners[0].distance(facet.corners[2])}}});
+        }
+      result.integral = load_moments(cells);
+      for (unsigned int k = 0; k < facets.size(); ++k)
+        add_moments(body, *facets[k], result.integral.of_cells[k], result);
+      if (!facets.empty())
+        result.place =
+          body.surface_point(*facets[result.integral.cell], {0.5, 0.5})
+            .position;
+    }
+
+    const std::string path;
+    const Traction    traction;
+    const bool        is_constant;
+  };
 
 
 

@@ -204,20 +204,89 @@ namespace lamella
         , left(n_rows)
       {}
 
+      // Adds one point to its rows: area, gap, normal, slip, and the products
+      // of trace functions psi_k of both sides with n and I - n n.
       void
       add(const unsigned int  number,
           const GapPoint     &point,
           const MasterPoint  &at,
-          const Tensor<1, 3> &slip_increment);
+          const Tensor<1, 3> &slip_increment)
+      {
+        const Tensor<1, 3>       &n     = at.normal;
+        const MeshSurface::Facet &facet = slave.facets()[point.slave.facet];
+        slave.evaluate_trace(facet, point.slave.st, trace);
+        const std::vector<unsigned int> *beyond = nullptr;
+        if (master != nullptr)
+          {
+            const auto &other = master->facets()[point.master.facet];
+            master->evaluate_trace(other, point.master.st, trace_opposite);
+            beyond = &other.trace_nodes;
+          }
+        // Tangential projector I - n n; times t it weights the slip along t.
+        const SymmetricTensor<2, 3> tangential =
+          unit_symmetric_tensor<3>() - symmetrize(outer_product(n, n));
+        const auto add_side = [&](const std::vector<unsigned int> &nodes,
+                                  const std::vector<double>       &values,
+                                  const double                     weight,
+                                  auto                            &sums) {
+          for (unsigned int k = 0; k < nodes.size(); ++k)
+            if (values[k] != 0.)
+              {
+                GapIntegrals::OfNode &node = sums[nodes[k]];
+                node.normal += (weight * values[k]) * n;
+                node.tangential += (weight * values[k]) * tangential;
+              }
+        };
+        for (const auto &[row, weight] : shares_of(functions, number, point))
+          {
+            GapIntegrals &sum = rows[row];
+            sum.area += weight;
+            sum.gap += weight * at.hit.distance;
+            sum.normal += weight * n;
+            sum.slip_increment += weight * slip_increment;
+            add_side(facet.trace_nodes, trace, weight, sum.slave);
+            if (beyond != nullptr)
+              add_side(*beyond, trace_opposite, weight, sum.master);
+          }
+      }
 
       /// Adds a point without projection, which has slipped past an edge.
       void
       add_left(const unsigned int  number,
                const GapPoint     &point,
-               const Tensor<1, 3> &slip_increment);
+               const Tensor<1, 3> &slip_increment)
+      {
+        for (const auto &[row, weight] : shares_of(functions, number, point))
+          {
+            left[row].first += weight;
+            left[row].second += weight * slip_increment;
+          }
+      }
 
+      // Divides the sums by the areas A_i. A row whose points have all left has
+      // no gap; its slip is the mean of theirs, up to the edge.
       std::vector<GapIntegrals>
-      take();
+      take()
+      {
+        for (unsigned int k = 0; k < rows.size(); ++k)
+          if (rows[k].area == 0. && left[k].first > 0.)
+            rows[k].slip_increment = left[k].second / left[k].first;
+        for (GapIntegrals &row : rows)
+          if (row.area > 0.)
+            {
+              const double scale = 1. / row.area;
+              row.gap *= scale;
+              row.normal *= scale;
+              row.slip_increment *= scale;
+              for (auto *side : {&row.slave, &row.master})
+                for (auto &[number, node] : *side)
+                  {
+                    node.normal *= scale;
+                    node.tangential *= scale;
+                  }
+            }
+        return std::move(rows);
+      }
 
     private:
       const MeshSurface        &slave, *master;
@@ -227,95 +296,6 @@ namespace lamella
       std::vector<std::pair<double, Tensor<1, 3>>> left;
       std::vector<double>                          trace, trace_opposite;
     };
-
-
-
-    // Adds one point to its rows: area, gap, normal, slip, and the products of
-    // trace functions psi_k of both sides with n and I - n n.
-    void
-    Sums::add(const unsigned int  number,
-              const GapPoint     &point,
-              const MasterPoint  &at,
-              const Tensor<1, 3> &slip_increment)
-    {
-      const Tensor<1, 3>       &n     = at.normal;
-      const MeshSurface::Facet &facet = slave.facets()[point.slave.facet];
-      slave.evaluate_trace(facet, point.slave.st, trace);
-      const std::vector<unsigned int> *beyond = nullptr;
-      if (master != nullptr)
-        {
-          const auto &other = master->facets()[point.master.facet];
-          master->evaluate_trace(other, point.master.st, trace_opposite);
-          beyond = &other.trace_nodes;
-        }
-      // Tangential projector I - n n; times t it weights the slip along t.
-      const SymmetricTensor<2, 3> tangential =
-        unit_symmetric_tensor<3>() - symmetrize(outer_product(n, n));
-      const auto add_side = [&](const std::vector<unsigned int> &nodes,
-                                const std::vector<double>       &values,
-                                const double                     weight,
-                                auto                            &sums) {
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          if (values[k] != 0.)
-            {
-              GapIntegrals::OfNode &node = sums[nodes[k]];
-              node.normal += (weight * values[k]) * n;
-              node.tangential += (weight * values[k]) * tangential;
-            }
-      };
-      for (const auto &[row, weight] : shares_of(functions, number, point))
-        {
-          GapIntegrals &sum = rows[row];
-          sum.area += weight;
-          sum.gap += weight * at.hit.distance;
-          sum.normal += weight * n;
-          sum.slip_increment += weight * slip_increment;
-          add_side(facet.trace_nodes, trace, weight, sum.slave);
-          if (beyond != nullptr)
-            add_side(*beyond, trace_opposite, weight, sum.master);
-        }
-    }
-
-
-
-    void
-    Sums::add_left(const unsigned int  number,
-                   const GapPoint     &point,
-                   const Tensor<1, 3> &slip_increment)
-    {
-      for (const auto &[row, weight] : shares_of(functions, number, point))
-        {
-          left[row].first += weight;
-          left[row].second += weight * slip_increment;
-        }
-    }
-
-
-
-    // Divides the sums by the areas A_i. A row whose points have all left has
-    // no gap; its slip is the mean of theirs, up to the edge.
-    std::vector<GapIntegrals>
-    Sums::take()
-    {
-      for (unsigned int k = 0; k < rows.size(); ++k)
-        if (rows[k].area == 0. && left[k].first > 0.)
-          rows[k].slip_increment = left[k].second / left[k].first;
-      for (GapIntegrals &row : rows)
-        if (row.area > 0.)
-          {
-            const double scale = 1. / row.area;
-            row.gap *= scale;
-            row.normal *= scale;
-            row.slip_increment *= scale;
-            for (auto *side : {&row.slave, &row.master})
-              for (auto &[number, node] : *side)
-                {
-                  node.normal *= scale;
-                  node.tangential *= scale;
-                }
-          }
-      return std::move(rows);
-    }
 
 
 

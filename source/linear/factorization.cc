@@ -86,71 +86,6 @@ namespace lamella
 
   namespace
   {
-    /// The workspace of CHOLMOD and the factor L, both freed with the object.
-    class CholmodFactorization : public LinearSolver
-    {
-    public:
-      CholmodFactorization(const Matrix                          &matrix,
-                           const std::string                     &what,
-                           const FactorMonitor                   &monitor,
-                           std::shared_ptr<const SymbolicFactor> *symbolic);
-      CholmodFactorization(const CholmodFactorization &) = delete;
-      ~CholmodFactorization() override;
-
-      void
-      solve(Vector &x) const override;
-      void
-      solve_all(std::vector<Vector> &x) const override;
-      std::unique_ptr<SolvedRows>
-      solved_rows() const override;
-
-      /// The factor as half solved rows see it.
-      SupernodalFactor
-      supernodes() const;
-      /// x = P^T L^-T x: A^-1 b, if x is b half solved.
-      void
-      backward(Vector &x) const;
-
-      double
-      condition_estimate() const override
-      {
-        return 1. / reciprocal_condition;
-      }
-
-      double
-      largest_diagonal() const override
-      {
-        return greatest;
-      }
-
-      SolverStatistics
-      statistics() const override
-      {
-        return {SolverKind::cholmod, double(factor->xsize), n_solutions};
-      }
-
-    private:
-      /// Applies one CHOLMOD system to @p count vectors from @p x on.
-      void
-      apply(const int system, double *const x, const std::size_t count) const;
-
-      /// Throws NumericsError if the factorization of the matrix of @p n rows
-      /// has failed; who calls it releases what there is.
-      void
-      check(const std::string &what, const DofIndex n) const;
-      void
-      release();
-
-      // CHOLMOD writes into its workspace while solving.
-      mutable cholmod_common common;
-      cholmod_factor        *factor               = nullptr;
-      double                 reciprocal_condition = 0.;
-      double                 greatest             = 0.;
-      mutable unsigned int   n_solutions          = 0;
-    };
-
-
-
     /// The lower triangle by columns, which is the upper one by rows. Exact
     /// zeros (extension and shear of a cross-ply) are left out against fill.
     cholmod_sparse *
@@ -205,177 +140,193 @@ namespace lamella
 
 
 
-    CholmodFactorization::CholmodFactorization(
-      const Matrix                          &matrix,
-      const std::string                     &what,
-      const FactorMonitor                   &monitor,
-      std::shared_ptr<const SymbolicFactor> *symbolic)
+    /// The workspace of CHOLMOD and the factor L, both freed with the object.
+    class CholmodFactorization : public LinearSolver
     {
-      // The monitor may free the matrix: nobody asks it afterwards.
-      const DofIndex n = matrix.m();
-      for (DofIndex i = 0; i < n; ++i)
-        greatest = std::max(greatest, std::abs(matrix.diag_element(i)));
-      SymbolicFactor::start_cholmod(common);
+    public:
+      CholmodFactorization(const Matrix                          &matrix,
+                           const std::string                     &what,
+                           const FactorMonitor                   &monitor,
+                           std::shared_ptr<const SymbolicFactor> *symbolic)
+      {
+        // The monitor may free the matrix: nobody asks it afterwards.
+        const DofIndex n = matrix.m();
+        for (DofIndex i = 0; i < n; ++i)
+          greatest = std::max(greatest, std::abs(matrix.diag_element(i)));
+        SymbolicFactor::start_cholmod(common);
 
-      cholmod_sparse *A = lower_triangle(matrix, common);
-      try
-        {
-          factor = analyzed(*A, symbolic, common);
-          if (factor == nullptr)
-            throw std::bad_alloc();
-          if (monitor)
-            monitor(
-              {double(factor->xsize), 8. * (factor->xsize + factor->maxcsize)});
-          cholmod_l_factorize(A, factor, &common);
-          reciprocal_condition = cholmod_l_rcond(factor, &common);
-          cholmod_l_free_sparse(&A, &common);
-          check(what, n);
-        }
-      catch (...)
-        {
-          // Nothing, if it is freed.
-          cholmod_l_free_sparse(&A, &common);
-          release();
-          throw;
-        }
-    }
+        cholmod_sparse *A = lower_triangle(matrix, common);
+        try
+          {
+            factor = analyzed(*A, symbolic, common);
+            if (factor == nullptr)
+              throw std::bad_alloc();
+            if (monitor)
+              monitor({double(factor->xsize),
+                       8. * (factor->xsize + factor->maxcsize)});
+            cholmod_l_factorize(A, factor, &common);
+            reciprocal_condition = cholmod_l_rcond(factor, &common);
+            cholmod_l_free_sparse(&A, &common);
+            check(what, n);
+          }
+        catch (...)
+          {
+            // Nothing, if it is freed.
+            cholmod_l_free_sparse(&A, &common);
+            release();
+            throw;
+          }
+      }
 
+      CholmodFactorization(const CholmodFactorization &) = delete;
+      ~CholmodFactorization() override
+      {
+        release();
+      }
 
+      void
+      solve(Vector &x) const override
+      {
+        apply(CHOLMOD_A, x.begin(), 1);
+        ++n_solutions;
+      }
 
-    void
-    CholmodFactorization::check(const std::string &what, const DofIndex n) const
-    {
-      const std::size_t minor  = factor->minor;
-      const int         status = common.status;
-      // The condition is no number where the matrix holds one that is none.
-      if (status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.)
-        return;
-      if (status == CHOLMOD_OUT_OF_MEMORY)
-        throw NumericsError(
-          "linear.out-of-memory: The factorization of " + what +
-          " does not fit in memory. Use a coarser mesh or lower order.");
-      const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
-      throw NotPositiveDefinite(
-        "linear.not-positive-definite: The stiffness matrix of " + what +
-          " is not positive definite (pivot " +
-          std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
-          std::to_string(n) +
-          "). Either a rigid-body motion is free (add a Support), or the body "
-          "is too slender or too heterogeneous for double precision.",
-        order[std::min<std::size_t>(minor, n - 1)]);
-    }
+      void
+      solve_all(std::vector<Vector> &x) const override
+      {
+        // As many at a time as fit beside the factor.
+        constexpr std::size_t most = 64;
+        std::vector<double>   block;
+        for (std::size_t first = 0; first < x.size(); first += most)
+          {
+            const std::size_t count = std::min(most, x.size() - first);
+            block.clear();
+            for (std::size_t k = first; k < first + count; ++k)
+              block.insert(block.end(), x[k].begin(), x[k].end());
+            apply(CHOLMOD_A, block.data(), count);
+            for (std::size_t k = first; k < first + count; ++k)
+              std::copy_n(block.begin() + (k - first) * factor->n,
+                          factor->n,
+                          x[k].begin());
+          }
+        n_solutions += x.size();
+      }
 
+      std::unique_ptr<SolvedRows>
+      solved_rows() const override
+      {
+        return make_forward_solved(supernodes(),
+                                   [this](Vector &x) { backward(x); });
+      }
 
+      /// The factor as half solved rows see it.
+      SupernodalFactor
+      supernodes() const
+      {
+        const auto index = [](const void *const array) {
+          return static_cast<const std::int64_t *>(array);
+        };
+        static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
+        SupernodalFactor view;
+        view.n            = factor->n;
+        view.n_supernodes = factor->nsuper;
+        view.column       = index(factor->super);
+        view.first_row    = index(factor->pi);
+        view.first_entry  = index(factor->px);
+        view.row          = index(factor->s);
+        view.entry        = static_cast<const double *>(factor->x);
+        view.permutation  = index(factor->Perm);
+        return view;
+      }
 
-    void
-    CholmodFactorization::release()
-    {
-      cholmod_l_free_factor(&factor, &common);
-      cholmod_l_finish(&common);
-    }
+      /// x = P^T L^-T x: A^-1 b, if x is b half solved.
+      void
+      backward(Vector &x) const
+      {
+        apply(CHOLMOD_Lt, x.begin(), 1);
+        apply(CHOLMOD_Pt, x.begin(), 1);
+      }
 
+      double
+      condition_estimate() const override
+      {
+        return 1. / reciprocal_condition;
+      }
 
+      double
+      largest_diagonal() const override
+      {
+        return greatest;
+      }
 
-    CholmodFactorization::~CholmodFactorization()
-    {
-      release();
-    }
+      SolverStatistics
+      statistics() const override
+      {
+        return {SolverKind::cholmod, double(factor->xsize), n_solutions};
+      }
 
+    private:
+      /// Applies one CHOLMOD system to @p count vectors from @p x on.
+      void
+      apply(const int system, double *const x, const std::size_t count) const
+      {
+        cholmod_dense b{};
+        b.nrow  = factor->n;
+        b.ncol  = count;
+        b.d     = factor->n;
+        b.nzmax = b.nrow * count;
+        b.x     = x;
+        b.xtype = CHOLMOD_REAL;
+        b.dtype = CHOLMOD_DOUBLE;
 
+        cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
+        if (y == nullptr)
+          throw NumericsError(
+            "linear.out-of-memory: CHOLMOD ran out of memory in the solution. "
+            "Use a coarser mesh or a theory of lower order.");
+        std::memcpy(x, y->x, sizeof(double) * b.nzmax);
+        cholmod_l_free_dense(&y, &common);
+      }
 
-    void
-    CholmodFactorization::apply(const int         system,
-                                double *const     x,
-                                const std::size_t count) const
-    {
-      cholmod_dense b{};
-      b.nrow  = factor->n;
-      b.ncol  = count;
-      b.d     = factor->n;
-      b.nzmax = b.nrow * count;
-      b.x     = x;
-      b.xtype = CHOLMOD_REAL;
-      b.dtype = CHOLMOD_DOUBLE;
+      /// Throws NumericsError if the factorization of the matrix of @p n rows
+      /// has failed; who calls it releases what there is.
+      void
+      check(const std::string &what, const DofIndex n) const
+      {
+        const std::size_t minor  = factor->minor;
+        const int         status = common.status;
+        // The condition is no number where the matrix holds one that is none.
+        if (status == CHOLMOD_OK && minor == n && reciprocal_condition > 0.)
+          return;
+        if (status == CHOLMOD_OUT_OF_MEMORY)
+          throw NumericsError(
+            "linear.out-of-memory: The factorization of " + what +
+            " does not fit in memory. Use a coarser mesh or lower order.");
+        const auto *order = static_cast<const SuiteSparse_long *>(factor->Perm);
+        throw NotPositiveDefinite(
+          "linear.not-positive-definite: The stiffness matrix of " + what +
+            " is not positive definite (pivot " +
+            std::to_string(std::min<std::size_t>(minor + 1, n)) + " of " +
+            std::to_string(n) +
+            "). Either a rigid-body motion is free (add a Support), or the body "
+            "is too slender or too heterogeneous for double precision.",
+          order[std::min<std::size_t>(minor, n - 1)]);
+      }
 
-      cholmod_dense *y = cholmod_l_solve(system, factor, &b, &common);
-      if (y == nullptr)
-        throw NumericsError(
-          "linear.out-of-memory: CHOLMOD ran out of memory in the solution. "
-          "Use a coarser mesh or a theory of lower order.");
-      std::memcpy(x, y->x, sizeof(double) * b.nzmax);
-      cholmod_l_free_dense(&y, &common);
-    }
+      void
+      release()
+      {
+        cholmod_l_free_factor(&factor, &common);
+        cholmod_l_finish(&common);
+      }
 
-
-
-    void
-    CholmodFactorization::solve(Vector &x) const
-    {
-      apply(CHOLMOD_A, x.begin(), 1);
-      ++n_solutions;
-    }
-
-
-
-    void
-    CholmodFactorization::solve_all(std::vector<Vector> &x) const
-    {
-      // As many at a time as fit beside the factor.
-      constexpr std::size_t most = 64;
-      std::vector<double>   block;
-      for (std::size_t first = 0; first < x.size(); first += most)
-        {
-          const std::size_t count = std::min(most, x.size() - first);
-          block.clear();
-          for (std::size_t k = first; k < first + count; ++k)
-            block.insert(block.end(), x[k].begin(), x[k].end());
-          apply(CHOLMOD_A, block.data(), count);
-          for (std::size_t k = first; k < first + count; ++k)
-            std::copy_n(block.begin() + (k - first) * factor->n,
-                        factor->n,
-                        x[k].begin());
-        }
-      n_solutions += x.size();
-    }
-
-
-
-    SupernodalFactor
-    CholmodFactorization::supernodes() const
-    {
-      const auto index = [](const void *const array) {
-        return static_cast<const std::int64_t *>(array);
-      };
-      static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
-      SupernodalFactor view;
-      view.n            = factor->n;
-      view.n_supernodes = factor->nsuper;
-      view.column       = index(factor->super);
-      view.first_row    = index(factor->pi);
-      view.first_entry  = index(factor->px);
-      view.row          = index(factor->s);
-      view.entry        = static_cast<const double *>(factor->x);
-      view.permutation  = index(factor->Perm);
-      return view;
-    }
-
-
-
-    void
-    CholmodFactorization::backward(Vector &x) const
-    {
-      apply(CHOLMOD_Lt, x.begin(), 1);
-      apply(CHOLMOD_Pt, x.begin(), 1);
-    }
-
-
-
-    std::unique_ptr<SolvedRows>
-    CholmodFactorization::solved_rows() const
-    {
-      return make_forward_solved(supernodes(),
-                                 [this](Vector &x) { backward(x); });
-    }
+      // CHOLMOD writes into its workspace while solving.
+      mutable cholmod_common common;
+      cholmod_factor        *factor               = nullptr;
+      double                 reciprocal_condition = 0.;
+      double                 greatest             = 0.;
+      mutable unsigned int   n_solutions          = 0;
+    };
   } // namespace
 
 

@@ -36,7 +36,19 @@ namespace lamella
       ShapeState(const Section      &section,
                  const Vector       &value,
                  const Vector       &derivative,
-                 const Tensor<1, 3> &curvature);
+                 const Tensor<1, 3> &curvature)
+        : work(section.n_fields())
+        , section(section)
+        , a(value)
+        , b(derivative)
+        , curvature(curvature)
+      {
+        remove_rigid_parts();
+        section.for_each_point(
+          [&](const SectionPoint &point, const double weight) {
+            add(point, weight);
+          });
+      }
 
       /// int e_2 . C e_2 and int e_1 . C e_1.
       double second = 0., first = 0.;
@@ -52,14 +64,105 @@ namespace lamella
         Voigt        strain;
       };
       Kinematics
-      at(const SectionPoint &point) const;
+      at(const SectionPoint &point) const
+      {
+        Kinematics result;
+        for (unsigned int k = 0; k < point.fields->size(); ++k)
+          {
+            const unsigned int alpha = (*point.fields)[k];
+            const auto         d     = field_derivatives(point, k);
+            result.H[0] += a[alpha] * d[0];
+            result.H[1] += b[alpha] * point.value[k];
+            result.H[2] += a[alpha] * d[1];
+            result.warped += a[alpha] * point.value[k];
+            result.strain +=
+              a[alpha] * point.in_plane[k] + b[alpha] * point.along[k];
+          }
+        const Tensor<1, 3> X = arm(point);
+        result.warped -=
+          mean + Tensor<1, 3>({rotation * X[2], tilt * X, -rotation * X[0]});
+        result.H[0][2] += rotation;
+        result.H[2][0] -= rotation;
+        // A tilt of the section is a shear of the axis.
+        for (const unsigned int c : {0, 2})
+          {
+            result.H[c][1] -= tilt[c];
+            result.H[1][c] += tilt[c];
+          }
+        return result;
+      }
+
       /// From the center of the section to @p point.
       Tensor<1, 3>
-      arm(const SectionPoint &point) const;
+      arm(const SectionPoint &point) const
+      {
+        const double h = section.element().reference_length();
+        Tensor<1, 3> X;
+        for (unsigned int k = 0; k < point.fields->size(); ++k)
+          {
+            if ((*point.fields)[k] == RigidField::slope_x)
+              X[0] = h * point.value[k][1];
+            if ((*point.fields)[k] == RigidField::slope_z)
+              X[2] = h * point.value[k][1];
+          }
+        return X;
+      }
+
       void
-      remove_rigid_parts();
+      remove_rigid_parts()
+      {
+        double       area = 0., polar = 0., moment = 0.;
+        Tensor<1, 3> of_warping, sum;
+        // Second moments of the section, a unit along y.
+        Tensor<2, 3> second_moments;
+        second_moments[1][1] = 1.;
+        section.for_each_point(
+          [&](const SectionPoint &point, const double weight) {
+            const Tensor<1, 3> X = arm(point), u = at(point).warped;
+            area += weight;
+            sum += weight * u;
+            polar += weight * X.norm_square();
+            moment += weight * (u[0] * X[2] - u[2] * X[0]);
+            of_warping += weight * u[1] * X;
+            second_moments += weight * outer_product(X, X);
+          });
+        mean     = sum / area;
+        rotation = moment / polar;
+        tilt     = invert(second_moments) * of_warping;
+      }
+
       void
-      add(const SectionPoint &point, const double weight);
+      add(const SectionPoint &point, const double weight)
+      {
+        const Kinematics   here   = at(point);
+        const ElasticLaw   law    = section.law(point.cell, point.position);
+        const Voigt        stress = law.stress(here.strain);
+        const Tensor<1, 3> bent   = cross_product_3d(curvature, here.warped);
+        // Nonlinear part of Green's strain, curvature of the warping, and both.
+        const Voigt quadratic =
+          product(here.H, here.H, 0.5) + axial_strain(bent);
+        Gradient of_bent;
+        of_bent[1]            = bent;
+        const Voigt cubic     = product(here.H, of_bent, 1.);
+        const Voigt of_second = law.stress(quadratic);
+        first += weight * (here.strain * stress);
+        second += weight * (quadratic * of_second + 2. * (stress * cubic));
+        const Tensor<2, 3> S  = first_stress(Gradient(), stress);
+        const Tensor<2, 3> SH = S * here.H;
+        for (unsigned int k = 0; k < point.fields->size(); ++k)
+          {
+            const unsigned int alpha = (*point.fields)[k];
+            const auto         d     = field_derivatives(point, k);
+            const Tensor<1, 3> turned =
+              cross_product_3d(curvature, point.value[k]);
+            work[alpha] +=
+              weight * (of_second * point.in_plane[k] + SH[0] * d[0] +
+                        SH[2] * d[1] + stress * axial_strain(turned));
+            if (alpha == RigidField::translation_y)
+              work_of_stretch +=
+                weight * (of_second * point.along[k] + SH[1] * point.value[k]);
+          }
+      }
 
       const Section     &section;
       Vector             a, b;
@@ -69,130 +172,6 @@ namespace lamella
       double       rotation = 0.;
       Tensor<1, 3> tilt, mean;
     };
-
-
-
-    ShapeState::ShapeState(const Section      &section,
-                           const Vector       &value,
-                           const Vector       &derivative,
-                           const Tensor<1, 3> &curvature)
-      : work(section.n_fields())
-      , section(section)
-      , a(value)
-      , b(derivative)
-      , curvature(curvature)
-    {
-      remove_rigid_parts();
-      section.for_each_point([&](const SectionPoint &point,
-                                 const double weight) { add(point, weight); });
-    }
-
-
-
-    Tensor<1, 3>
-    ShapeState::arm(const SectionPoint &point) const
-    {
-      const double h = section.element().reference_length();
-      Tensor<1, 3> X;
-      for (unsigned int k = 0; k < point.fields->size(); ++k)
-        {
-          if ((*point.fields)[k] == RigidField::slope_x)
-            X[0] = h * point.value[k][1];
-          if ((*point.fields)[k] == RigidField::slope_z)
-            X[2] = h * point.value[k][1];
-        }
-      return X;
-    }
-
-
-
-    void
-    ShapeState::remove_rigid_parts()
-    {
-      double       area = 0., polar = 0., moment = 0.;
-      Tensor<1, 3> of_warping, sum;
-      // Second moments of the section, a unit along y.
-      Tensor<2, 3> second_moments;
-      second_moments[1][1] = 1.;
-      section.for_each_point(
-        [&](const SectionPoint &point, const double weight) {
-          const Tensor<1, 3> X = arm(point), u = at(point).warped;
-          area += weight;
-          sum += weight * u;
-          polar += weight * X.norm_square();
-          moment += weight * (u[0] * X[2] - u[2] * X[0]);
-          of_warping += weight * u[1] * X;
-          second_moments += weight * outer_product(X, X);
-        });
-      mean     = sum / area;
-      rotation = moment / polar;
-      tilt     = invert(second_moments) * of_warping;
-    }
-
-
-
-    ShapeState::Kinematics
-    ShapeState::at(const SectionPoint &point) const
-    {
-      Kinematics result;
-      for (unsigned int k = 0; k < point.fields->size(); ++k)
-        {
-          const unsigned int alpha = (*point.fields)[k];
-          const auto         d     = field_derivatives(point, k);
-          result.H[0] += a[alpha] * d[0];
-          result.H[1] += b[alpha] * point.value[k];
-          result.H[2] += a[alpha] * d[1];
-          result.warped += a[alpha] * point.value[k];
-          result.strain +=
-            a[alpha] * point.in_plane[k] + b[alpha] * point.along[k];
-        }
-      const Tensor<1, 3> X = arm(point);
-      result.warped -=
-        mean + Tensor<1, 3>({rotation * X[2], tilt * X, -rotation * X[0]});
-      result.H[0][2] += rotation;
-      result.H[2][0] -= rotation;
-      // A tilt of the section is a shear of the axis.
-      for (const unsigned int c : {0, 2})
-        {
-          result.H[c][1] -= tilt[c];
-          result.H[1][c] += tilt[c];
-        }
-      return result;
-    }
-
-
-
-    void
-    ShapeState::add(const SectionPoint &point, const double weight)
-    {
-      const Kinematics   here   = at(point);
-      const ElasticLaw   law    = section.law(point.cell, point.position);
-      const Voigt        stress = law.stress(here.strain);
-      const Tensor<1, 3> bent   = cross_product_3d(curvature, here.warped);
-      // Nonlinear part of Green's strain, curvature of the warping, and both.
-      const Voigt quadratic = product(here.H, here.H, 0.5) + axial_strain(bent);
-      Gradient    of_bent;
-      of_bent[1]            = bent;
-      const Voigt cubic     = product(here.H, of_bent, 1.);
-      const Voigt of_second = law.stress(quadratic);
-      first += weight * (here.strain * stress);
-      second += weight * (quadratic * of_second + 2. * (stress * cubic));
-      const Tensor<2, 3> S  = first_stress(Gradient(), stress);
-      const Tensor<2, 3> SH = S * here.H;
-      for (unsigned int k = 0; k < point.fields->size(); ++k)
-        {
-          const unsigned int alpha = (*point.fields)[k];
-          const auto         d     = field_derivatives(point, k);
-          const Tensor<1, 3> turned =
-            cross_product_3d(curvature, point.value[k]);
-          work[alpha] +=
-            weight * (of_second * point.in_plane[k] + SH[0] * d[0] +
-                      SH[2] * d[1] + stress * axial_strain(turned));
-          if (alpha == RigidField::translation_y)
-            work_of_stretch +=
-              weight * (of_second * point.along[k] + SH[1] * point.value[k]);
-        }
-    }
   } // namespace
 
 

@@ -28,7 +28,13 @@ namespace lamella
     class GradedHalfDisc
     {
     public:
-      GradedHalfDisc(const unsigned int sectors, const double finest_cell);
+      GradedHalfDisc(const unsigned int sectors, const double finest_cell)
+        : sectors(sectors)
+        , half(sectors / 4)
+        , core_width(std::min(half * finest_cell, last_radius / 1.6))
+      {
+        add_rest(add_rings(add_core()));
+      }
 
       std::vector<Complex>     points;
       std::vector<CellData<2>> cells;
@@ -44,224 +50,173 @@ namespace lamella
       /// The point at @p x along the tangent at P and @p depth below it, bent
       /// so that depth 0 is the arc: a point as far from P, on a ring.
       static Complex
-      bent(const double x, const double depth);
+      bent(const double x, const double depth)
+      {
+        const double radius = std::hypot(x, depth);
+        const double sunk   = std::asin(0.5 * radius);
+        const double angle =
+          sunk + (numbers::PI - 2. * sunk) * std::atan2(depth, x) / numbers::PI;
+        return Complex(0., 1.) +
+               radius * Complex(std::cos(angle), -std::sin(angle));
+      }
 
       /// x + i depth of the core's point (i, j), |i| <= half, 0 <= j <= half.
       Complex
-      core_point(const int i, const int j) const;
+      core_point(const int i, const int j) const
+      {
+        const double x = double(i) / half, depth = double(j) / half;
+        return core_width * Complex(x * (1. - rounding * depth),
+                                    depth * (1. - rounding * std::abs(x)));
+      }
 
       /// From +x to -x, around P.
       std::vector<Complex>
-      core_outline() const;
+      core_outline() const
+      {
+        std::vector<Complex> outline;
+        for (int j = 0; j < half; ++j)
+          outline.push_back(core_point(half, j));
+        for (int i = half; i > -half; --i)
+          outline.push_back(core_point(i, half));
+        for (int j = half; j >= 0; --j)
+          outline.push_back(core_point(-half, j));
+        return outline;
+      }
 
       Ring
-      add_ring(const std::vector<Complex> &ring);
+      add_ring(const std::vector<Complex> &ring)
+      {
+        Ring numbers;
+        for (const Complex &point : ring)
+          {
+            numbers.push_back(points.size());
+            points.push_back(point);
+          }
+        return numbers;
+      }
+
       /// The ring of points x + i depth of @p flat, with cells to @p inner.
       Ring
-      add_bent_ring(const std::vector<Complex> &flat, const Ring &inner);
+      add_bent_ring(const std::vector<Complex> &flat, const Ring &inner)
+      {
+        std::vector<Complex> ring;
+        for (const Complex &p : flat)
+          ring.push_back(bent(p.real(), p.imag()));
+        Ring outer = add_ring(ring);
+        add_cells_between(inner, outer);
+        return outer;
+      }
+
       void
-      add_cells_between(const Ring &inner, const Ring &outer);
+      add_cells_between(const Ring &inner, const Ring &outer)
+      {
+        for (unsigned int l = 0; l + 1 < inner.size(); ++l)
+          {
+            cells.emplace_back();
+            cells.back().vertices = {outer[l + 1],
+                                     outer[l],
+                                     inner[l + 1],
+                                     inner[l]};
+          }
+      }
+
       Ring
-      add_core();
+      add_core()
+      {
+        // Rows of points from the arc downwards, each from -x to +x.
+        std::vector<Ring> rows;
+        for (int j = 0; j <= half; ++j)
+          {
+            std::vector<Complex> row;
+            for (int i = half; i >= -half; --i)
+              {
+                const Complex p = core_point(i, j);
+                row.push_back(bent(p.real(), p.imag()));
+              }
+            rows.push_back(add_ring(row));
+            if (j > 0)
+              add_cells_between(rows[j - 1], rows[j]);
+          }
+        Ring outline;
+        for (int j = 0; j < half; ++j)
+          outline.push_back(rows[j].front());
+        outline.insert(outline.end(), rows[half].begin(), rows[half].end());
+        for (int j = half - 1; j >= 0; --j)
+          outline.push_back(rows[j].back());
+        return outline;
+      }
+
       Ring
-      add_rings(Ring inner);
+      add_rings(Ring inner)
+      {
+        const auto on_circle = [this](const unsigned int l) {
+          return std::polar(1., numbers::PI * l / sectors);
+        };
+
+        // From the outline of the core to a circle.
+        const std::vector<Complex> outline      = core_outline();
+        const double               first_radius = 1.6 * core_width;
+        const unsigned int n_blended = std::max(1., std::round(sectors / 8.));
+        for (unsigned int k = 1; k <= n_blended; ++k)
+          {
+            std::vector<Complex> flat;
+            const double         t = double(k) / n_blended;
+            for (unsigned int l = 0; l <= sectors; ++l)
+              flat.push_back((1. - t) * outline[l] +
+                             t * first_radius * on_circle(l));
+            inner = add_bent_ring(flat, inner);
+          }
+
+        // A sector is as wide as deep at the ratio exp(pi / sectors).
+        const double growth =
+          std::min(1.6, std::max(1.3, std::exp(numbers::PI / sectors)));
+        const double       span = std::log(last_radius / first_radius);
+        const unsigned int n =
+          span < 1e-3 ? 0 : std::max(1., std::round(span / std::log(growth)));
+        for (unsigned int k = 1; k <= n; ++k)
+          {
+            std::vector<Complex> flat;
+            for (unsigned int l = 0; l <= sectors; ++l)
+              flat.push_back(first_radius * std::exp(k * span / n) *
+                             on_circle(l));
+            inner = add_bent_ring(flat, inner);
+          }
+        return inner;
+      }
+
       void
-      add_rest(const Ring &inner);
+      add_rest(const Ring &inner)
+      {
+        // Transfinite interpolation between the last ring, the flat side and
+        // the two pieces of the arc between their ends.
+        const unsigned int n_layers = std::max(1u, sectors / 4);
+        const double       first    = std::arg(points[inner.front()]);
+        const Complex      right    = points[inner.front()],
+                      left          = points[inner.back()];
+        Ring below                  = inner;
+        for (unsigned int k = 1; k <= n_layers; ++k)
+          {
+            const double  v     = double(k) / n_layers;
+            const Complex arc_r = std::polar(1., first * (1. - v)),
+                          arc_l(-arc_r.real(), arc_r.imag());
+            std::vector<Complex> ring;
+            for (unsigned int l = 0; l <= sectors; ++l)
+              {
+                const double u = double(l) / sectors;
+                ring.push_back((1. - v) * points[inner[l]] + v * (1. - 2. * u) +
+                               (1. - u) * (arc_r - (1. - v) * right - v) +
+                               u * (arc_l - (1. - v) * left + v));
+              }
+            const Ring outer = add_ring(ring);
+            add_cells_between(below, outer);
+            below = outer;
+          }
+      }
 
       unsigned int sectors;
       int          half;
       double       core_width;
     };
-
-
-
-    GradedHalfDisc::GradedHalfDisc(const unsigned int sectors,
-                                   const double       finest_cell)
-      : sectors(sectors)
-      , half(sectors / 4)
-      , core_width(std::min(half * finest_cell, last_radius / 1.6))
-    {
-      add_rest(add_rings(add_core()));
-    }
-
-
-
-    Complex
-    GradedHalfDisc::bent(const double x, const double depth)
-    {
-      const double radius = std::hypot(x, depth);
-      const double sunk   = std::asin(0.5 * radius);
-      const double angle =
-        sunk + (numbers::PI - 2. * sunk) * std::atan2(depth, x) / numbers::PI;
-      return Complex(0., 1.) +
-             radius * Complex(std::cos(angle), -std::sin(angle));
-    }
-
-
-
-    Complex
-    GradedHalfDisc::core_point(const int i, const int j) const
-    {
-      const double x = double(i) / half, depth = double(j) / half;
-      return core_width * Complex(x * (1. - rounding * depth),
-                                  depth * (1. - rounding * std::abs(x)));
-    }
-
-
-
-    GradedHalfDisc::Ring
-    GradedHalfDisc::add_ring(const std::vector<Complex> &ring)
-    {
-      Ring numbers;
-      for (const Complex &point : ring)
-        {
-          numbers.push_back(points.size());
-          points.push_back(point);
-        }
-      return numbers;
-    }
-
-
-
-    void
-    GradedHalfDisc::add_cells_between(const Ring &inner, const Ring &outer)
-    {
-      for (unsigned int l = 0; l + 1 < inner.size(); ++l)
-        {
-          cells.emplace_back();
-          cells.back().vertices = {outer[l + 1],
-                                   outer[l],
-                                   inner[l + 1],
-                                   inner[l]};
-        }
-    }
-
-
-
-    GradedHalfDisc::Ring
-    GradedHalfDisc::add_core()
-    {
-      // Rows of points from the arc downwards, each from -x to +x.
-      std::vector<Ring> rows;
-      for (int j = 0; j <= half; ++j)
-        {
-          std::vector<Complex> row;
-          for (int i = half; i >= -half; --i)
-            {
-              const Complex p = core_point(i, j);
-              row.push_back(bent(p.real(), p.imag()));
-            }
-          rows.push_back(add_ring(row));
-          if (j > 0)
-            add_cells_between(rows[j - 1], rows[j]);
-        }
-      Ring outline;
-      for (int j = 0; j < half; ++j)
-        outline.push_back(rows[j].front());
-      outline.insert(outline.end(), rows[half].begin(), rows[half].end());
-      for (int j = half - 1; j >= 0; --j)
-        outline.push_back(rows[j].back());
-      return outline;
-    }
-
-
-
-    std::vector<Complex>
-    GradedHalfDisc::core_outline() const
-    {
-      std::vector<Complex> outline;
-      for (int j = 0; j < half; ++j)
-        outline.push_back(core_point(half, j));
-      for (int i = half; i > -half; --i)
-        outline.push_back(core_point(i, half));
-      for (int j = half; j >= 0; --j)
-        outline.push_back(core_point(-half, j));
-      return outline;
-    }
-
-
-
-    GradedHalfDisc::Ring
-    GradedHalfDisc::add_bent_ring(const std::vector<Complex> &flat,
-                                  const Ring                 &inner)
-    {
-      std::vector<Complex> ring;
-      for (const Complex &p : flat)
-        ring.push_back(bent(p.real(), p.imag()));
-      Ring outer = add_ring(ring);
-      add_cells_between(inner, outer);
-      return outer;
-    }
-
-
-
-    GradedHalfDisc::Ring
-    GradedHalfDisc::add_rings(Ring inner)
-    {
-      const auto on_circle = [this](const unsigned int l) {
-        return std::polar(1., numbers::PI * l / sectors);
-      };
-
-      // From the outline of the core to a circle.
-      const std::vector<Complex> outline      = core_outline();
-      const double               first_radius = 1.6 * core_width;
-      const unsigned int n_blended = std::max(1., std::round(sectors / 8.));
-      for (unsigned int k = 1; k <= n_blended; ++k)
-        {
-          std::vector<Complex> flat;
-          const double         t = double(k) / n_blended;
-          for (unsigned int l = 0; l <= sectors; ++l)
-            flat.push_back((1. - t) * outline[l] +
-                           t * first_radius * on_circle(l));
-          inner = add_bent_ring(flat, inner);
-        }
-
-      // A sector is as wide as deep at the ratio exp(pi / sectors).
-      const double growth =
-        std::min(1.6, std::max(1.3, std::exp(numbers::PI / sectors)));
-      const double       span = std::log(last_radius / first_radius);
-      const unsigned int n =
-        span < 1e-3 ? 0 : std::max(1., std::round(span / std::log(growth)));
-      for (unsigned int k = 1; k <= n; ++k)
-        {
-          std::vector<Complex> flat;
-          for (unsigned int l = 0; l <= sectors; ++l)
-            flat.push_back(first_radius * std::exp(k * span / n) *
-                           on_circle(l));
-          inner = add_bent_ring(flat, inner);
-        }
-      return inner;
-    }
-
-
-
-    void
-    GradedHalfDisc::add_rest(const Ring &inner)
-    {
-      // Transfinite interpolation between the last ring, the flat side and the
-      // two pieces of the arc between their ends.
-      const unsigned int n_layers = std::max(1u, sectors / 4);
-      const double       first    = std::arg(points[inner.front()]);
-      const Complex right = points[inner.front()], left = points[inner.back()];
-      Ring          below = inner;
-      for (unsigned int k = 1; k <= n_layers; ++k)
-        {
-          const double  v     = double(k) / n_layers;
-          const Complex arc_r = std::polar(1., first * (1. - v)),
-                        arc_l(-arc_r.real(), arc_r.imag());
-          std::vector<Complex> ring;
-          for (unsigned int l = 0; l <= sectors; ++l)
-            {
-              const double u = double(l) / sectors;
-              ring.push_back((1. - v) * points[inner[l]] + v * (1. - 2. * u) +
-                             (1. - u) * (arc_r - (1. - v) * right - v) +
-                             u * (arc_l - (1. - v) * left + v));
-            }
-          const Ring outer = add_ring(ring);
-          add_cells_between(below, outer);
-          below = outer;
-        }
-    }
 
 
 

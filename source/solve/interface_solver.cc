@@ -131,193 +131,166 @@ namespace lamella
 
       /// Applies Newton's method from the forces @p lambda and the iterate of
       /// the system, at most @p most iterations; returns the best forces.
+      // Each step gives new forces, not a correction of the last ones, so it
+      // can leave a wrong branch at once. The best iterate is kept, since the
+      // natural map need not decrease. Further steps after convergence gain
+      // digits of small forces.
       InterfaceSolution
-      solve(PointVectors lambda, const unsigned int most);
+      solve(PointVectors lambda, const unsigned int most)
+      {
+        InterfaceSolution best;
+        best.force            = lambda;
+        unsigned int polished = 0;
+        for (unsigned int k = 0; k < most + polished; ++k)
+          {
+            const PointVectors  v = system.lengths();
+            const InterfaceStep step =
+              system.solve(linearized(points, lambda, v), lambda);
+            if (!step.is_solved)
+              break;
+            const double            before = best.error;
+            const InterfaceSolution now    = after(step, v);
+            best.offer(now);
+            const bool   is_solved = best.error < rules.tolerance;
+            const double t         = is_solved || k < rules.damped_from ?
+                                       1. :
+                                       shortened(lambda, v, step, k);
+            system.advance(t);
+            for (unsigned int i = 0; i < lambda.size(); ++i)
+              lambda[i] += t * (step.force[i] - lambda[i]);
+            const bool betters =
+              before > rules.tolerance || 10. * now.error < before;
+            if (is_solved && (best.error < rules.digits || !betters ||
+                              polished++ == rules.extra_iterations))
+              break;
+          }
+        return best;
+      }
 
       /// Applies Newton's method from the result of the interior point.
       InterfaceSolution
-      after_interior_point();
+      after_interior_point()
+      {
+        unsigned int n = 0;
+        system.move_to(points.about);
+        const PointVectors lambda =
+          solve_by_interior_point(system, points, [&](const Round &round) {
+            ++n;
+            if (monitor)
+              monitor(round);
+          });
+        InterfaceSolution found = solve(lambda, rules.iterations);
+        found.iterations += n;
+        return found;
+      }
 
       /// Applies Newton's method to points with decreasing compliance.
+      // Continuation in the compliance: decrease it after each success of
+      // Newton's method, increase it after a failure. Newton's method without
+      // it is tried from each intermediate solution.
       InterfaceSolution
-      by_compliance(const PointVectors &start);
+      by_compliance(const PointVectors &start)
+      {
+        constexpr unsigned tries = 8;
+        InterfaceSolution  best;
+        best.force          = start;
+        PointVectors lambda = start;
+        double       share  = rules.first_compliance;
+        for (unsigned int k = 0; k < rules.max_regularized_rounds &&
+                                 share <= 10. * rules.first_compliance;
+             ++k)
+          {
+            const InterfacePoints soft = softened(points, share, lambda);
+            InterfaceNewton       other(system, soft, monitor, rules);
+            system.move_to(lambda);
+            InterfaceSolution found = other.solve(lambda, rules.iterations);
+            if (found.error > rules.solved)
+              found.offer(other.after_interior_point());
+            best.iterations += found.iterations;
+            if (found.error > rules.solved)
+              {
+                share *= rules.increase_factor;
+                continue;
+              }
+            lambda = found.force;
+            system.move_to(lambda);
+            best.offer(solve(lambda, tries));
+            if (best.error < rules.tolerance)
+              break;
+            share = std::max(rules.tolerance, share * rules.decrease_factor);
+          }
+        return best;
+      }
 
     private:
       /// Returns the best of several fractions of @p step from @p lambda, @p v.
+      // Backtracking on the Euclidean norm of the natural map.
       double
       shortened(const PointVectors  &lambda,
                 const PointVectors  &v,
                 const InterfaceStep &step,
-                const unsigned int   iteration) const;
+                const unsigned int   iteration) const
+      {
+        // Every fourth step is taken without a norm, to leave cycles.
+        constexpr unsigned int blind_every = 4;
+        constexpr double       blind       = 0.35;
+        if (iteration % blind_every == 0)
+          return blind;
+        double best = 0., least = std::numeric_limits<double>::max();
+        for (const double t : {1., 0.5, 0.25, 0.1, 0.03, 0.01})
+          {
+            double size = 0.;
+            for (unsigned int i = 0; i < lambda.size(); ++i)
+              {
+                const Tensor<1, 3> there =
+                  lambda[i] + t * (step.force[i] - lambda[i]);
+                const Trial at =
+                  trial(points, i, there, v[i] + t * step.change[i]);
+                size += scaled_norm_square(at, at.missed(there));
+              }
+            if (size < least)
+              {
+                least = size;
+                best  = t;
+              }
+          }
+        return best;
+      }
+
       /// Returns and reports the solution after the full @p step from the gaps
       /// and slips @p v.
       InterfaceSolution
-      after(const InterfaceStep &step, PointVectors v) const;
+      after(const InterfaceStep &step, PointVectors v) const
+      {
+        for (unsigned int i = 0; i < v.size(); ++i)
+          v[i] += step.change[i];
+        const LawError    error = law_error(points, step.force, v);
+        InterfaceSolution now;
+        now.force      = step.force;
+        now.states     = error.states;
+        now.error      = error.largest;
+        now.stability  = step.sign;
+        now.iterations = 1;
+        if (!monitor)
+          return now;
+        Round round;
+        for (unsigned int i = 0; i < v.size(); ++i)
+          {
+            round.active += now.states[i] != PointState::open;
+            if (!(error.of_point[i] > rules.tolerance))
+              continue;
+            round.changed.push_back(i);
+            round.violation = std::max(round.violation, v[i].norm());
+          }
+        monitor(round);
+        return now;
+      }
 
       InterfaceSystem       &system;
       const InterfacePoints &points;
       const Monitor         &monitor;
       const InterfaceRules  &rules;
     };
-
-
-
-    // Backtracking on the Euclidean norm of the natural map.
-    double
-    InterfaceNewton::shortened(const PointVectors  &lambda,
-                               const PointVectors  &v,
-                               const InterfaceStep &step,
-                               const unsigned int   iteration) const
-    {
-      // Every fourth step is taken without a norm, to leave cycles.
-      constexpr unsigned int blind_every = 4;
-      constexpr double       blind       = 0.35;
-      if (iteration % blind_every == 0)
-        return blind;
-      double best = 0., least = std::numeric_limits<double>::max();
-      for (const double t : {1., 0.5, 0.25, 0.1, 0.03, 0.01})
-        {
-          double size = 0.;
-          for (unsigned int i = 0; i < lambda.size(); ++i)
-            {
-              const Tensor<1, 3> there =
-                lambda[i] + t * (step.force[i] - lambda[i]);
-              const Trial at =
-                trial(points, i, there, v[i] + t * step.change[i]);
-              size += scaled_norm_square(at, at.missed(there));
-            }
-          if (size < least)
-            {
-              least = size;
-              best  = t;
-            }
-        }
-      return best;
-    }
-
-
-
-    InterfaceSolution
-    InterfaceNewton::after(const InterfaceStep &step, PointVectors v) const
-    {
-      for (unsigned int i = 0; i < v.size(); ++i)
-        v[i] += step.change[i];
-      const LawError    error = law_error(points, step.force, v);
-      InterfaceSolution now;
-      now.force      = step.force;
-      now.states     = error.states;
-      now.error      = error.largest;
-      now.stability  = step.sign;
-      now.iterations = 1;
-      if (!monitor)
-        return now;
-      Round round;
-      for (unsigned int i = 0; i < v.size(); ++i)
-        {
-          round.active += now.states[i] != PointState::open;
-          if (!(error.of_point[i] > rules.tolerance))
-            continue;
-          round.changed.push_back(i);
-          round.violation = std::max(round.violation, v[i].norm());
-        }
-      monitor(round);
-      return now;
-    }
-
-
-
-    // Each step gives new forces, not a correction of the last ones, so it can
-    // leave a wrong branch at once. The best iterate is kept, since the natural
-    // map need not decrease. Further steps after convergence gain digits of
-    // small forces.
-    InterfaceSolution
-    InterfaceNewton::solve(PointVectors lambda, const unsigned int most)
-    {
-      InterfaceSolution best;
-      best.force            = lambda;
-      unsigned int polished = 0;
-      for (unsigned int k = 0; k < most + polished; ++k)
-        {
-          const PointVectors  v = system.lengths();
-          const InterfaceStep step =
-            system.solve(linearized(points, lambda, v), lambda);
-          if (!step.is_solved)
-            break;
-          const double            before = best.error;
-          const InterfaceSolution now    = after(step, v);
-          best.offer(now);
-          const bool   is_solved = best.error < rules.tolerance;
-          const double t         = is_solved || k < rules.damped_from ?
-                                     1. :
-                                     shortened(lambda, v, step, k);
-          system.advance(t);
-          for (unsigned int i = 0; i < lambda.size(); ++i)
-            lambda[i] += t * (step.force[i] - lambda[i]);
-          const bool betters =
-            before > rules.tolerance || 10. * now.error < before;
-          if (is_solved && (best.error < rules.digits || !betters ||
-                            polished++ == rules.extra_iterations))
-            break;
-        }
-      return best;
-    }
-
-
-
-    InterfaceSolution
-    InterfaceNewton::after_interior_point()
-    {
-      unsigned int n = 0;
-      system.move_to(points.about);
-      const PointVectors lambda =
-        solve_by_interior_point(system, points, [&](const Round &round) {
-          ++n;
-          if (monitor)
-            monitor(round);
-        });
-      InterfaceSolution found = solve(lambda, rules.iterations);
-      found.iterations += n;
-      return found;
-    }
-
-
-
-    // Continuation in the compliance: decrease it after each success of
-    // Newton's method, increase it after a failure. Newton's method without
-    // it is tried from each intermediate solution.
-    InterfaceSolution
-    InterfaceNewton::by_compliance(const PointVectors &start)
-    {
-      constexpr unsigned tries = 8;
-      InterfaceSolution  best;
-      best.force          = start;
-      PointVectors lambda = start;
-      double       share  = rules.first_compliance;
-      for (unsigned int k = 0; k < rules.max_regularized_rounds &&
-                               share <= 10. * rules.first_compliance;
-           ++k)
-        {
-          const InterfacePoints soft = softened(points, share, lambda);
-          InterfaceNewton       other(system, soft, monitor, rules);
-          system.move_to(lambda);
-          InterfaceSolution found = other.solve(lambda, rules.iterations);
-          if (found.error > rules.solved)
-            found.offer(other.after_interior_point());
-          best.iterations += found.iterations;
-          if (found.error > rules.solved)
-            {
-              share *= rules.increase_factor;
-              continue;
-            }
-          lambda = found.force;
-          system.move_to(lambda);
-          best.offer(solve(lambda, tries));
-          if (best.error < rules.tolerance)
-            break;
-          share = std::max(rules.tolerance, share * rules.decrease_factor);
-        }
-      return best;
-    }
   } // namespace
 
 

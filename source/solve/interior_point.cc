@@ -87,52 +87,320 @@ namespace lamella
       }
 
       PointVectors
-      solve(const Monitor &monitor);
+      solve(const Monitor &monitor)
+      {
+        // Rounding errors of the products end their decrease.
+        constexpr double slow = 0.5, small = arithmetic::rounding_of_solutions;
+        constexpr unsigned int patience = 5;
+        begin();
+        unsigned int idle  = 0;
+        double       least = 1.;
+        for (unsigned int k = 0;
+             force_scale > 0. && k < parameters.max_iterations;
+             ++k)
+          {
+            evaluate(k == 0);
+            const double left = normal_product / (length_scale * force_scale);
+            idle  = left < small && left > slow * least ? idle + 1 : 0;
+            least = std::min(least, left);
+            if (left <= parameters.tolerance || idle == patience)
+              break;
+            step();
+            monitor(round());
+          }
+        complete();
+        return unscaled(force);
+      }
 
     private:
       /// Sets the starting point: all points connected by soft springs.
+      // Springs of stiffness k, a fraction of the local stiffness of the
+      // bodies, push penetrating points apart with k max(0, -v_n).
       void
-      begin();
+      begin()
+      {
+        PointVectors   pushed(n);
+        PointStiffness springs(n);
+        PointVectors   v = gaps();
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                pushed[i][c]     = points.about[i][c] / unit[i][c];
+                springs[i][c][c] = points.spring[i] / (unit[i][0] * unit[i][0]);
+              }
+            pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
+          }
+        factorize(springs);
+        const PointVectors moved = solution(pushed);
+        system.advance(1.);
+        v = gaps();
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            length_scale = std::max(length_scale, std::abs(v[i][0]));
+            force_scale =
+              std::max(force_scale,
+                       pushed[i][0] - springs[i][0][0] * moved[i][0]);
+          }
+        force.assign(n, {});
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double least = parameters.first_gap * length_scale;
+            slack.push_back(std::max(v[i][0], least));
+            force[i][0] = parameters.first_force * force_scale;
+            gamma.push_back(least / force[i][0]);
+          }
+      }
+
       /// Updates the bounds, removes opening points from the tangential
       /// problem, and evaluates the residuals.
+      // Points that open leave the tangential problem: their small bounds would
+      // shorten all steps.
       void
-      evaluate(const bool is_first);
+      evaluate(const bool is_first)
+      {
+        constexpr double   least = arithmetic::rounding;
+        const double       last  = normal_product;
+        const PointVectors v     = gaps();
+        residual.assign(n, {});
+        has_shear.resize(n, false);
+        bound.assign(n, 0.);
+        room.assign(n, 0.);
+        std::vector<double> normal, shear;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const bool had_shear = has_shear[i];
+            has_shear[i] =
+              points.n_slips[i] > 0 &&
+              (is_first || force[i][0] * length_scale >
+                             parameters.opening * slack[i] * force_scale);
+            bound[i] =
+              std::max(points.law[i]->bound(unit[i][0] * force[i]).value /
+                         unit[i][1],
+                       least * force_scale);
+            if (!has_shear[i])
+              {
+                force[i] -= tangential_part(force[i]);
+                gamma[i] = last / bound[i];
+              }
+            else
+              follow_bound(i, inside * bound[i], had_shear || is_first, v[i]);
+            room[i] =
+              bound[i] * bound[i] - tangential_part(force[i]).norm_square();
+            Tensor<1, 3> lengths = v[i];
+            for (unsigned int c = 0; c < 3; ++c)
+              lengths[c] += compliance(i, c) * force[i][c];
+            residual[i][0] = lengths[0] - slack[i];
+            normal.push_back(slack[i] * force[i][0]);
+            if (has_shear[i])
+              {
+                residual[i] += tangential_part(lengths + gamma[i] * force[i]);
+                shear.push_back(gamma[i] * room[i] / bound[i]);
+              }
+          }
+        normal_product = mean(normal);
+        shear_product  = median(shear);
+      }
+
       /// Limits the shear force of point @p i to @p most; it opposes the slip
       /// in
       /// @p v if the point had no shear force before.
+      // gamma lambda_t = -v_t stays where the bound decreases below the shear
+      // force, as the slip does: this makes the last steps superlinear.
       void
       follow_bound(const unsigned int          i,
                    const double                most,
                    const bool                  had_shear,
-                   const dealii::Tensor<1, 3> &v);
+                   const dealii::Tensor<1, 3> &v)
+      {
+        const double size = tangential_norm(force[i]),
+                     slip = tangential_norm(v);
+        if (!had_shear && slip > 0.)
+          {
+            force[i] -= tangential_part(force[i] + most / slip * v);
+            gamma[i] = slip / most;
+          }
+        else if (size > most)
+          {
+            force[i] += (most / size - 1.) * tangential_part(force[i]);
+            gamma[i] *= size / most;
+          }
+      }
+
       /// Returns gaps and slips of the iterate less InterfacePoints::shift.
       PointVectors
-      gaps() const;
+      gaps() const
+      {
+        PointVectors v = system.lengths();
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            v[i][c] = (v[i][c] - points.shift[i][c]) * unit[i][c];
+        return v;
+      }
+
       /// Calls InterfaceSystem::factorize() for the stiffness @p D, and
       /// solve().
       void
-      factorize(PointStiffness D);
+      factorize(PointStiffness D)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b <= a; ++b)
+              D[i][a][b] *= unit[i][a] * unit[i][b];
+        system.factorize(D);
+      }
+
       PointVectors
-      solution(const PointVectors &force);
+      solution(const PointVectors &force)
+      {
+        return unscaled(system.solve(unscaled(force)));
+      }
+
       /// Returns the forces @p scaled, without scale.
       PointVectors
-      unscaled(PointVectors scaled) const;
+      unscaled(PointVectors scaled) const
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            scaled[i][c] *= unit[i][c];
+        return scaled;
+      }
+
       PointStiffness
-      stiffness() const;
+      stiffness() const
+      {
+        PointStiffness D(n);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double d = compliance(i, 0), lambda = force[i][0];
+            D[i][0][0] = lambda / (slack[i] + d * lambda);
+            if (!has_shear[i])
+              continue;
+            const Tensor<1, 2>          shear  = shear_of(force[i]);
+            const SymmetricTensor<2, 2> across = invert(
+              (gamma[i] + compliance(i, 1)) * unit_symmetric_tensor<2>() +
+              2. * gamma[i] / room[i] *
+                symmetrize(outer_product(shear, shear)));
+            for (unsigned int a = 0; a < points.n_slips[i]; ++a)
+              for (unsigned int b = 0; b <= a; ++b)
+                D[i][1 + a][1 + b] = across[a][b];
+          }
+        return D;
+      }
+
       /// Returns the Newton direction to the products @p normal_target and
       /// @p shear_target, less the second-order terms @p correction of the
       /// normal products (empty: none).
+      // The forces follow from the change w of gap and slips by
+      //   dlambda_n = (sigma - s lambda_n - lambda_n (v_n - s)) / (s + d
+      //               lambda_n) - D_n w_n,
+      //   dlambda_t = -D_t (v_t + gamma lambda_t + q lambda_t + w_t),
+      //   q         = (sigma b - gamma w) / w.
       Direction
       direction(const PointStiffness      &D,
                 const double               normal_target,
                 const double               shear_target,
-                const std::vector<double> &correction);
+                const std::vector<double> &correction)
+      {
+        Direction           step;
+        std::vector<double> q(n, 0.);
+        step.force.resize(n);
+        PointVectors next = force;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double lambda = force[i][0], s = slack[i];
+            Tensor<1, 3> away;
+            if (has_shear[i])
+              {
+                q[i] = shear_target * bound[i] / room[i] - gamma[i];
+                away = tangential_part(residual[i] + q[i] * force[i]);
+              }
+            step.force[i] = -(D[i] * away);
+            step.force[i][0] =
+              (normal_target - s * lambda - lambda * residual[i][0] -
+               (correction.empty() ? 0. : correction[i])) /
+              (s + compliance(i, 0) * lambda);
+            next[i] += step.force[i];
+          }
+        const PointVectors w = solution(next);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            step.force[i] -= D[i] * w[i];
+            step.slack.push_back(w[i][0] + compliance(i, 0) * step.force[i][0] +
+                                 residual[i][0]);
+            step.gamma.push_back(
+              has_shear[i] ?
+                q[i] + 2. * gamma[i] / room[i] *
+                         (shear_of(force[i]) * shear_of(step.force[i])) :
+                0.);
+          }
+        return step;
+      }
+
       /// Returns the largest step up to 1 that stays within the feasible set.
+      // |lambda_t + t dlambda_t| < b is a quadratic inequality in t.
       double
-      longest_step(const Direction &step) const;
+      longest_step(const Direction &step) const
+      {
+        double     longest = 1. / parameters.to_boundary;
+        const auto limit   = [&](const double x, const double change) {
+          if (change < 0.)
+            longest = std::min(longest, -x / change);
+        };
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            limit(force[i][0], step.force[i][0]);
+            limit(slack[i], step.slack[i]);
+            limit(gamma[i], step.gamma[i]);
+            const Tensor<1, 2> change = shear_of(step.force[i]);
+            const double       a      = change.norm_square(),
+                         b            = shear_of(force[i]) * change;
+            if (a > 0. && has_shear[i])
+              longest =
+                std::min(longest, (-b + std::sqrt(b * b + a * room[i])) / a);
+          }
+        return parameters.to_boundary * longest;
+      }
+
       /// Takes one step of Mehrotra's method.
+      // Mehrotra's predictor and corrector with one factorization. The
+      // second-order term is used for normal products only.
       void
-      step();
+      step()
+      {
+        constexpr double short_step = 0.1, least_sigma = 1e-4, blocked = 0.05;
+        const PointStiffness D = stiffness();
+        factorize(D);
+        const Direction     predictor = direction(D, 0., 0., {});
+        const double        reach     = longest_step(predictor);
+        std::vector<double> products, correction;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            products.push_back((slack[i] + reach * predictor.slack[i]) *
+                               (force[i][0] + reach * predictor.force[i][0]));
+            if (reach > short_step)
+              correction.push_back(reach * reach * predictor.slack[i] *
+                                   predictor.force[i][0]);
+          }
+        const double sigma =
+          reach > blocked ?
+            std::max(std::pow(mean(products) / normal_product, 3),
+                     least_sigma) :
+            0.5;
+        const Direction corrector = direction(D,
+                                              sigma * normal_product,
+                                              sigma * shear_product,
+                                              correction);
+        const double    length    = longest_step(corrector);
+        system.advance(length);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            force[i] += length * corrector.force[i];
+            slack[i] += length * corrector.slack[i];
+            gamma[i] += length * corrector.gamma[i];
+          }
+      }
+
       /// Returns the scaled compliance of point @p i in component @p c.
       double
       compliance(const unsigned int i, const unsigned int c) const
@@ -154,10 +422,30 @@ namespace lamella
       }
       /// Completes the states of the last iterate: open points get no force,
       /// slipping points the shear force of the bound.
+      // Newton's method takes a slipping point with less than its bound for a
+      // sticking one if its slip is small.
       void
-      complete();
+      complete()
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          if (!is_closed(i))
+            force[i] = {};
+          else if (is_slipping(i))
+            force[i] += (bound[i] / tangential_norm(force[i]) - 1.) *
+                        tangential_part(force[i]);
+      }
+
       Round
-      round() const;
+      round() const
+      {
+        Round result;
+        for (unsigned int i = 0; i < n; ++i)
+          result.active += is_closed(i);
+        result.counts = false;
+        result.changed.push_back(0);
+        result.violation = (normal_product + shear_product) / force_scale;
+        return result;
+      }
 
       /// Largest shear force of an iterate over its bound.
       static constexpr double inside = 0.995;
@@ -187,352 +475,6 @@ namespace lamella
       /// Mean of the products s lambda_n, and median of gamma w / b.
       double normal_product = 0., shear_product = 0.;
     };
-
-
-
-    // Springs of stiffness k, a fraction of the local stiffness of the bodies,
-    // push penetrating points apart with k max(0, -v_n).
-    void
-    InteriorPoint::begin()
-    {
-      PointVectors   pushed(n);
-      PointStiffness springs(n);
-      PointVectors   v = gaps();
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              pushed[i][c]     = points.about[i][c] / unit[i][c];
-              springs[i][c][c] = points.spring[i] / (unit[i][0] * unit[i][0]);
-            }
-          pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
-        }
-      factorize(springs);
-      const PointVectors moved = solution(pushed);
-      system.advance(1.);
-      v = gaps();
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          length_scale = std::max(length_scale, std::abs(v[i][0]));
-          force_scale  = std::max(force_scale,
-                                 pushed[i][0] - springs[i][0][0] * moved[i][0]);
-        }
-      force.assign(n, {});
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double least = parameters.first_gap * length_scale;
-          slack.push_back(std::max(v[i][0], least));
-          force[i][0] = parameters.first_force * force_scale;
-          gamma.push_back(least / force[i][0]);
-        }
-    }
-
-
-
-    // gamma lambda_t = -v_t stays where the bound decreases below the shear
-    // force, as the slip does: this makes the last steps superlinear.
-    void
-    InteriorPoint::follow_bound(const unsigned int  i,
-                                const double        most,
-                                const bool          had_shear,
-                                const Tensor<1, 3> &v)
-    {
-      const double size = tangential_norm(force[i]), slip = tangential_norm(v);
-      if (!had_shear && slip > 0.)
-        {
-          force[i] -= tangential_part(force[i] + most / slip * v);
-          gamma[i] = slip / most;
-        }
-      else if (size > most)
-        {
-          force[i] += (most / size - 1.) * tangential_part(force[i]);
-          gamma[i] *= size / most;
-        }
-    }
-
-
-
-    // Points that open leave the tangential problem: their small bounds would
-    // shorten all steps.
-    void
-    InteriorPoint::evaluate(const bool is_first)
-    {
-      constexpr double   least = arithmetic::rounding;
-      const double       last  = normal_product;
-      const PointVectors v     = gaps();
-      residual.assign(n, {});
-      has_shear.resize(n, false);
-      bound.assign(n, 0.);
-      room.assign(n, 0.);
-      std::vector<double> normal, shear;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const bool had_shear = has_shear[i];
-          has_shear[i] =
-            points.n_slips[i] > 0 &&
-            (is_first || force[i][0] * length_scale >
-                           parameters.opening * slack[i] * force_scale);
-          bound[i] =
-            std::max(points.law[i]->bound(unit[i][0] * force[i]).value /
-                       unit[i][1],
-                     least * force_scale);
-          if (!has_shear[i])
-            {
-              force[i] -= tangential_part(force[i]);
-              gamma[i] = last / bound[i];
-            }
-          else
-            follow_bound(i, inside * bound[i], had_shear || is_first, v[i]);
-          room[i] =
-            bound[i] * bound[i] - tangential_part(force[i]).norm_square();
-          Tensor<1, 3> lengths = v[i];
-          for (unsigned int c = 0; c < 3; ++c)
-            lengths[c] += compliance(i, c) * force[i][c];
-          residual[i][0] = lengths[0] - slack[i];
-          normal.push_back(slack[i] * force[i][0]);
-          if (has_shear[i])
-            {
-              residual[i] += tangential_part(lengths + gamma[i] * force[i]);
-              shear.push_back(gamma[i] * room[i] / bound[i]);
-            }
-        }
-      normal_product = mean(normal);
-      shear_product  = median(shear);
-    }
-
-
-
-    PointVectors
-    InteriorPoint::gaps() const
-    {
-      PointVectors v = system.lengths();
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          v[i][c] = (v[i][c] - points.shift[i][c]) * unit[i][c];
-      return v;
-    }
-
-
-
-    void
-    InteriorPoint::factorize(PointStiffness D)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
-            D[i][a][b] *= unit[i][a] * unit[i][b];
-      system.factorize(D);
-    }
-
-
-
-    PointVectors
-    InteriorPoint::unscaled(PointVectors scaled) const
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          scaled[i][c] *= unit[i][c];
-      return scaled;
-    }
-
-
-
-    PointVectors
-    InteriorPoint::solution(const PointVectors &force)
-    {
-      return unscaled(system.solve(unscaled(force)));
-    }
-
-
-
-    PointStiffness
-    InteriorPoint::stiffness() const
-    {
-      PointStiffness D(n);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double d = compliance(i, 0), lambda = force[i][0];
-          D[i][0][0] = lambda / (slack[i] + d * lambda);
-          if (!has_shear[i])
-            continue;
-          const Tensor<1, 2>          shear  = shear_of(force[i]);
-          const SymmetricTensor<2, 2> across = invert(
-            (gamma[i] + compliance(i, 1)) * unit_symmetric_tensor<2>() +
-            2. * gamma[i] / room[i] * symmetrize(outer_product(shear, shear)));
-          for (unsigned int a = 0; a < points.n_slips[i]; ++a)
-            for (unsigned int b = 0; b <= a; ++b)
-              D[i][1 + a][1 + b] = across[a][b];
-        }
-      return D;
-    }
-
-
-
-    // The forces follow from the change w of gap and slips by
-    //   dlambda_n = (sigma - s lambda_n - lambda_n (v_n - s)) / (s + d
-    //               lambda_n) - D_n w_n,
-    //   dlambda_t = -D_t (v_t + gamma lambda_t + q lambda_t + w_t),
-    //   q         = (sigma b - gamma w) / w.
-    Direction
-    InteriorPoint::direction(const PointStiffness      &D,
-                             const double               normal_target,
-                             const double               shear_target,
-                             const std::vector<double> &correction)
-    {
-      Direction           step;
-      std::vector<double> q(n, 0.);
-      step.force.resize(n);
-      PointVectors next = force;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double lambda = force[i][0], s = slack[i];
-          Tensor<1, 3> away;
-          if (has_shear[i])
-            {
-              q[i] = shear_target * bound[i] / room[i] - gamma[i];
-              away = tangential_part(residual[i] + q[i] * force[i]);
-            }
-          step.force[i] = -(D[i] * away);
-          step.force[i][0] =
-            (normal_target - s * lambda - lambda * residual[i][0] -
-             (correction.empty() ? 0. : correction[i])) /
-            (s + compliance(i, 0) * lambda);
-          next[i] += step.force[i];
-        }
-      const PointVectors w = solution(next);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          step.force[i] -= D[i] * w[i];
-          step.slack.push_back(w[i][0] + compliance(i, 0) * step.force[i][0] +
-                               residual[i][0]);
-          step.gamma.push_back(
-            has_shear[i] ?
-              q[i] + 2. * gamma[i] / room[i] *
-                       (shear_of(force[i]) * shear_of(step.force[i])) :
-              0.);
-        }
-      return step;
-    }
-
-
-
-    // |lambda_t + t dlambda_t| < b is a quadratic inequality in t.
-    double
-    InteriorPoint::longest_step(const Direction &step) const
-    {
-      double     longest = 1. / parameters.to_boundary;
-      const auto limit   = [&](const double x, const double change) {
-        if (change < 0.)
-          longest = std::min(longest, -x / change);
-      };
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          limit(force[i][0], step.force[i][0]);
-          limit(slack[i], step.slack[i]);
-          limit(gamma[i], step.gamma[i]);
-          const Tensor<1, 2> change = shear_of(step.force[i]);
-          const double       a      = change.norm_square(),
-                       b            = shear_of(force[i]) * change;
-          if (a > 0. && has_shear[i])
-            longest =
-              std::min(longest, (-b + std::sqrt(b * b + a * room[i])) / a);
-        }
-      return parameters.to_boundary * longest;
-    }
-
-
-
-    // Mehrotra's predictor and corrector with one factorization. The
-    // second-order term is used for normal products only.
-    void
-    InteriorPoint::step()
-    {
-      constexpr double     short_step = 0.1, least_sigma = 1e-4, blocked = 0.05;
-      const PointStiffness D = stiffness();
-      factorize(D);
-      const Direction     predictor = direction(D, 0., 0., {});
-      const double        reach     = longest_step(predictor);
-      std::vector<double> products, correction;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          products.push_back((slack[i] + reach * predictor.slack[i]) *
-                             (force[i][0] + reach * predictor.force[i][0]));
-          if (reach > short_step)
-            correction.push_back(reach * reach * predictor.slack[i] *
-                                 predictor.force[i][0]);
-        }
-      const double sigma =
-        reach > blocked ?
-          std::max(std::pow(mean(products) / normal_product, 3), least_sigma) :
-          0.5;
-      const Direction corrector =
-        direction(D, sigma * normal_product, sigma * shear_product, correction);
-      const double length = longest_step(corrector);
-      system.advance(length);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          force[i] += length * corrector.force[i];
-          slack[i] += length * corrector.slack[i];
-          gamma[i] += length * corrector.gamma[i];
-        }
-    }
-
-
-
-    // Newton's method takes a slipping point with less than its bound for a
-    // sticking one if its slip is small.
-    void
-    InteriorPoint::complete()
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        if (!is_closed(i))
-          force[i] = {};
-        else if (is_slipping(i))
-          force[i] += (bound[i] / tangential_norm(force[i]) - 1.) *
-                      tangential_part(force[i]);
-    }
-
-
-
-    Round
-    InteriorPoint::round() const
-    {
-      Round result;
-      for (unsigned int i = 0; i < n; ++i)
-        result.active += is_closed(i);
-      result.counts = false;
-      result.changed.push_back(0);
-      result.violation = (normal_product + shear_product) / force_scale;
-      return result;
-    }
-
-
-
-    PointVectors
-    InteriorPoint::solve(const Monitor &monitor)
-    {
-      // Rounding errors of the products end their decrease.
-      constexpr double slow = 0.5, small = arithmetic::rounding_of_solutions;
-      constexpr unsigned int patience = 5;
-      begin();
-      unsigned int idle  = 0;
-      double       least = 1.;
-      for (unsigned int k = 0;
-           force_scale > 0. && k < parameters.max_iterations;
-           ++k)
-        {
-          evaluate(k == 0);
-          const double left = normal_product / (length_scale * force_scale);
-          idle  = left < small && left > slow * least ? idle + 1 : 0;
-          least = std::min(least, left);
-          if (left <= parameters.tolerance || idle == patience)
-            break;
-          step();
-          monitor(round());
-        }
-      complete();
-      return unscaled(force);
-    }
   } // namespace
 
 
