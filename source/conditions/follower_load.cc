@@ -265,7 +265,7 @@ namespace lamella
         const PointForces at = point_forces(load, region, body);
         return std::make_unique<DeadForces>(body, at.locations, at.forces);
       }
-    auto pressure = std::make_unique<FollowerPressure>(load, region, body);
+    auto pressure = make_follower_pressure(load, region, body);
     check_start(*pressure, load, region, body);
     return pressure;
   }

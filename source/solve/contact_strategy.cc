@@ -16,7 +16,6 @@
 // rotations, which corrects rounding errors, K du is from the matrix.
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/solve/condensed_strategy.h>
 #include <lamella/solve/contact_problem.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/interface_solver.h>
@@ -455,6 +454,6 @@ namespace lamella
   {
     if (which == Strategy::full)
       return std::make_unique<FullStrategy>(tangent_operator, rows);
-    return std::make_unique<CondensedStrategy>(tangent_operator, rows);
+    return make_condensed_strategy(tangent_operator, rows);
   }
 } // namespace lamella

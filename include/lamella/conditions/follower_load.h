@@ -58,7 +58,7 @@ namespace lamella
   depends_on_state(const Load &load, const Body &body);
 
   /// Returns the forces of @p load on its region @p region of @p body at any
-  /// displacement: FollowerPressure for a follower pressure, a Couple on the
+  /// displacement: a pressure normal to the current surface, a Couple on the
   /// current surface for a moment (its direction is fixed), otherwise forces of
   /// fixed direction. Throws InputError as add_load() does, and if a pressure
   /// varies more within an element than the Gauss points resolve.

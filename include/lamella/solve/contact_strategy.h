@@ -132,6 +132,12 @@ namespace lamella
                   const Structure      &structure,
                   const GapConstraints &rows);
 
+  /// Returns the strategy `condensed`. Keeps references to @p tangent_operator,
+  /// which must have factorizations, and to @p rows.
+  std::unique_ptr<ContactStrategy>
+  make_condensed_strategy(const TangentOperator &tangent_operator,
+                          const GapConstraints  &rows);
+
   /// Returns a strategy of the kind @p which for the constraints @p rows. The
   /// stiffness @p tangent_operator must have factorizations for `condensed`.
   std::unique_ptr<ContactStrategy>
