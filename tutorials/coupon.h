@@ -15,7 +15,7 @@
 #include <lamella/section/section.h>
 #include <lamella/section/section_response.h>
 #include <lamella/section/warping.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/beam_surplus.h>
-#include <lamella/linear/dense_lu.h>
+#include <lamella/linear/dense_factors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/processes.h>
-#include <lamella/linear/conjugate_gradients.h>
 #include <lamella/linear/factorization.h>
+#include <lamella/linear/linear_solver.h>
 #include <lamella/linear/own_rows.h>
 #include <lamella/linear/stiffness_matrix.h>
 

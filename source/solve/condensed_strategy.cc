@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/linear/dense_lu.h>
+#include <lamella/linear/dense_factors.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/dense_interface_system.h>
 #include <lamella/solve/interface_solver.h>

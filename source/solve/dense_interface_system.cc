@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/linear/dense_lu.h>
+#include <lamella/linear/dense_factors.h>
 #include <lamella/solve/dense_interface_system.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // conditions of 1e10, rows that depend on each other. What is checked is the
 // law itself, line by line, and not the map that was solved.
 
-#include <lamella/linear/dense_lu.h>
+#include <lamella/linear/dense_factors.h>
 #include <lamella/solve/dense_interface_system.h>
 #include <lamella/solve/interface_solver.h>
 #include <lamella/solve/interior_point.h>

@@ -7,7 +7,7 @@
 #include <lamella/body/body_solver.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/section/lagrange_element.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/quadrature_lib.h>

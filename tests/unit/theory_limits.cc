@@ -13,7 +13,7 @@
 
 #include <lamella/section/theory.h>
 #include <lamella/section/theory_limits.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 
 #include <boost/test/unit_test.hpp>
 

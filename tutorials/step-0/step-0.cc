@@ -23,7 +23,7 @@
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/material/library.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 
 #include <algorithm>
 #include <fstream>

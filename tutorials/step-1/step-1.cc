@@ -14,7 +14,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/section/theory.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/linear_system.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -15,7 +15,7 @@
 #include <lamella/body/beam.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/section/theory.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/solution_check.h>

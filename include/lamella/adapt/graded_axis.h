@@ -3,7 +3,7 @@
 #ifndef lamella_adapt_graded_axis_h
 #define lamella_adapt_graded_axis_h
 
-#include <lamella/adapt/loaded_parts.h>
+#include <lamella/adapt/section_load.h>
 #include <lamella/body/parameters.h>
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>

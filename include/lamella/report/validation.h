@@ -7,7 +7,7 @@
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/material/material.h>
 #include <lamella/report/section_stiffness.h>
-#include <lamella/shape/laminate.h>
+#include <lamella/shape/shapes.h>
 #include <lamella/solve/structure.h>
 
 #include <iosfwd>

@@ -3,7 +3,7 @@
 #ifndef lamella_solve_dense_interface_system_h
 #define lamella_solve_dense_interface_system_h
 
-#include <lamella/linear/dense_lu.h>
+#include <lamella/linear/dense_factors.h>
 #include <lamella/solve/interface_system.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef lamella_linear_dense_lu_h
-#define lamella_linear_dense_lu_h
+#ifndef lamella_linear_dense_factors_h
+#define lamella_linear_dense_factors_h
 
 #include <vector>
 
