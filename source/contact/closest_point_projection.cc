@@ -89,6 +89,38 @@ namespace lamella
 
 
 
+    /// Returns the closest-point projection of @p x onto a facet with the map
+    /// X(s, t): the point (s, t) with stationary distance,
+    ///   X_,a . (x - X(s, t)) = 0,   a = s, t,
+    /// with X_,a the derivative of X. Newton's method from @p start uses the
+    /// matrix X_,a . X_,b - (x - X) . X_,ab; X_,ab is from differences of X_,a.
+    /// The map is continued outside the unit square. Empty if not converged.
+    // Newton's method, quadratic for facets of any curvature; one step if
+    // affine.
+    std::optional<Point<2>>
+    projection_on(const FacetMap &map, const Point<3> &x, const Point<2> &start)
+    {
+      constexpr unsigned int max_iterations = 30;
+      Point<2>               st             = start;
+      for (unsigned int k = 0; k < max_iterations; ++k)
+        {
+          const auto         place = map(st);
+          const Tensor<1, 3> r     = x - place.position;
+          const Tensor<1, 2> step =
+            invert(projection_matrix(map, st, place, r)) *
+            Tensor<1, 2>({place.d_s * r, place.d_t * r});
+          st += step;
+          // The test also ends the iteration for NaN.
+          if (!(st.norm() < 10.))
+            return {};
+          if (map.is_affine() || step.norm() < arithmetic::rounding_of_sums)
+            return st;
+        }
+      return {};
+    }
+
+
+
     /// Returns the nearest projection of @p x on facets within @p
     /// search_radius. Between two convex facets it lies on the continuation of
     /// either.
@@ -118,30 +150,6 @@ namespace lamella
       return on ? on : continued;
     }
   } // namespace
-
-
-
-  // Newton's method, quadratic for facets of any curvature; one step if affine.
-  std::optional<Point<2>>
-  projection_on(const FacetMap &map, const Point<3> &x, const Point<2> &start)
-  {
-    constexpr unsigned int max_iterations = 30;
-    Point<2>               st             = start;
-    for (unsigned int k = 0; k < max_iterations; ++k)
-      {
-        const auto         place = map(st);
-        const Tensor<1, 3> r     = x - place.position;
-        const Tensor<1, 2> step = invert(projection_matrix(map, st, place, r)) *
-                                  Tensor<1, 2>({place.d_s * r, place.d_t * r});
-        st += step;
-        // The test also ends the iteration for NaN.
-        if (!(st.norm() < 10.))
-          return {};
-        if (map.is_affine() || step.norm() < arithmetic::rounding_of_sums)
-          return st;
-      }
-    return {};
-  }
 
 
 

@@ -74,6 +74,107 @@ namespace lamella
       return (way * axis) * axis +
              (obstacle.radius * angle) * cross_product_3d(axis, n);
     }
+
+
+
+    /// Returns the slip reference point of the contact point @p point, which
+    /// faces the master point @p at on the surfaces @p sides.
+    // Places on an obstacle are stored relative to it, as it may move.
+    SlipReferencePoint
+    slip_reference_point(const ContactSides &sides,
+                         const GapPoint     &point,
+                         const MasterPoint  &at)
+    {
+      SlipReferencePoint held;
+      held.point = point;
+      if (sides.obstacle() != nullptr)
+        {
+          held.on_obstacle = at.hit.position - sides.obstacle()->point;
+          held.normal      = at.hit.normal;
+        }
+      return held;
+    }
+
+
+
+    /// Returns the slip of a contact point in a load step: the tangential
+    /// motion [length] of the master surface relative to the slave surface,
+    /// from the reference @p then to the point @p now, which faces @p at on @p
+    /// sides,
+    ///   s = P (x_c(C) - x_c(C_0)) - P (x_o(O) - x_o(O_0)),   P = I - n n,
+    /// where C and O are the material points of the slave and master surface
+    /// now in contact, C_0 and O_0 those of the reference, and x_c and x_o
+    /// current positions. C is C_0 except on the line of a roller contact. The
+    /// slave is the second surface if @p on_second is true, else the first. s
+    /// is invariant to rigid motions of both bodies and to rotations of n.
+    // s = P (way on the slave surface - way on the master surface).
+    Tensor<1, 3>
+    slip_increment_of(const ContactSides       &sides,
+                      const bool                on_second,
+                      const SlipReferencePoint &then,
+                      const GapPoint           &now,
+                      const MasterPoint        &at)
+    {
+      Tensor<1, 3> way = position(*sides.surface(on_second), now.slave) -
+                         position(*sides.surface(on_second), then.point.slave);
+      way -= sides.obstacle() != nullptr ?
+               chord_on_surface(*sides.obstacle(), then, at.hit) :
+               position(*sides.surface(!on_second), now.master) -
+                 position(*sides.surface(!on_second), then.point.master);
+      return way - (way * at.normal) * at.normal;
+    }
+
+
+
+    /// Returns the slip in a load step of a contact point that faced the master
+    /// surface at the reference @p then, but has left it past an edge,
+    ///   s = P (x_o(O_0) - x_c(C_0)),
+    /// with the slave normal n now.
+    Tensor<1, 3>
+    slip_past_edge(const ContactSides       &sides,
+                   const bool                on_second,
+                   const SlipReferencePoint &then)
+    {
+      const MeshSurface &slave       = *sides.surface(on_second);
+      const auto &[facet, st]        = then.point.slave;
+      const MeshSurface::Facet &from = slave.facets()[facet];
+      const Tensor<1, 3>        n    = slave.smooth_normal(from, st),
+                         way         = (sides.obstacle() != nullptr ?
+                                          sides.obstacle()->point + then.on_obstacle :
+                                          position(*sides.surface(!on_second),
+                                           then.point.master)) -
+                               from.map(st).position;
+      return way - (way * n) * n;
+    }
+
+
+
+    /// Returns the slip in a load step of a contact point @p now that has come
+    /// over the master surface from past an edge. With the surfaces @p began at
+    /// the beginning of the step and the tangents t_a of the slave surface,
+    ///   s = sum over a of (x_c(C) - x_o(O)) . t_a at the beginning, times t_a
+    ///   at
+    /// @p at, on the surfaces @p sides now.
+    Tensor<1, 3>
+    slip_from_past_edge(const ContactSides &began,
+                        const ContactSides &sides,
+                        const bool          on_second,
+                        const GapPoint     &now,
+                        const MasterPoint  &at)
+    {
+      const auto &[facet, st] = now.slave;
+      const FacetMap &before  = began.surface(on_second)->facets()[facet].map,
+                     &moved   = sides.surface(on_second)->facets()[facet].map;
+      const Point<3> master =
+        sides.obstacle() != nullptr ?
+          at.hit.position +
+            (began.obstacle()->point - sides.obstacle()->point) :
+          position(*began.surface(!on_second), now.master);
+      const Tensor<1, 3> way  = before(st).position - master;
+      const Tangents     then = tangents_of(before.outward(before(st))),
+                     t = convected_tangents(before, moved, st, at.normal);
+      return (way * then[0]) * t[0] + (way * then[1]) * t[1];
+    }
   } // namespace
 
 
@@ -105,84 +206,6 @@ namespace lamella
     const Tensor<1, 2> c =
       invert(metric) * Tensor<1, 2>({place.d_s * t1, place.d_t * t1});
     return tangents_along(c[0] * moved.d_s + c[1] * moved.d_t, n);
-  }
-
-
-
-  // Places on an obstacle are stored relative to it, as it may move.
-  SlipReferencePoint
-  slip_reference_point(const ContactSides &sides,
-                       const GapPoint     &point,
-                       const MasterPoint  &at)
-  {
-    SlipReferencePoint held;
-    held.point = point;
-    if (sides.obstacle() != nullptr)
-      {
-        held.on_obstacle = at.hit.position - sides.obstacle()->point;
-        held.normal      = at.hit.normal;
-      }
-    return held;
-  }
-
-
-
-  // s = P (way on the slave surface - way on the master surface).
-  Tensor<1, 3>
-  slip_increment_of(const ContactSides       &sides,
-                    const bool                on_second,
-                    const SlipReferencePoint &then,
-                    const GapPoint           &now,
-                    const MasterPoint        &at)
-  {
-    Tensor<1, 3> way = position(*sides.surface(on_second), now.slave) -
-                       position(*sides.surface(on_second), then.point.slave);
-    way -= sides.obstacle() != nullptr ?
-             chord_on_surface(*sides.obstacle(), then, at.hit) :
-             position(*sides.surface(!on_second), now.master) -
-               position(*sides.surface(!on_second), then.point.master);
-    return way - (way * at.normal) * at.normal;
-  }
-
-
-
-  Tensor<1, 3>
-  slip_past_edge(const ContactSides       &sides,
-                 const bool                on_second,
-                 const SlipReferencePoint &then)
-  {
-    const MeshSurface &slave       = *sides.surface(on_second);
-    const auto &[facet, st]        = then.point.slave;
-    const MeshSurface::Facet &from = slave.facets()[facet];
-    const Tensor<1, 3>        n    = slave.smooth_normal(from, st),
-                       way         = (sides.obstacle() != nullptr ?
-                                        sides.obstacle()->point + then.on_obstacle :
-                                        position(*sides.surface(!on_second),
-                                         then.point.master)) -
-                             from.map(st).position;
-    return way - (way * n) * n;
-  }
-
-
-
-  Tensor<1, 3>
-  slip_from_past_edge(const ContactSides &began,
-                      const ContactSides &sides,
-                      const bool          on_second,
-                      const GapPoint     &now,
-                      const MasterPoint  &at)
-  {
-    const auto &[facet, st] = now.slave;
-    const FacetMap &before  = began.surface(on_second)->facets()[facet].map,
-                   &moved   = sides.surface(on_second)->facets()[facet].map;
-    const Point<3> master =
-      sides.obstacle() != nullptr ?
-        at.hit.position + (began.obstacle()->point - sides.obstacle()->point) :
-        position(*began.surface(!on_second), now.master);
-    const Tensor<1, 3> way  = before(st).position - master;
-    const Tangents     then = tangents_of(before.outward(before(st))),
-                   t        = convected_tangents(before, moved, st, at.normal);
-    return (way * then[0]) * t[0] + (way * then[1]) * t[1];
   }
 
 

@@ -291,6 +291,20 @@ namespace lamella
       const Monitor         &monitor;
       const InterfaceRules  &rules;
     };
+
+
+
+    /// Returns the sign of the determinant of Newton's matrix at the contact
+    /// forces @p force (InterfaceSolution::stability).
+    int
+    stability_at(InterfaceSystem       &system,
+                 const InterfacePoints &points,
+                 const PointVectors    &force)
+    {
+      system.move_to(force);
+      return system.solve(linearized(points, force, system.lengths()), force)
+        .sign;
+    }
   } // namespace
 
 
@@ -369,18 +383,6 @@ namespace lamella
       "conditions of contact have the relative error " +
       error +
       ". Try a finer mesh at the contact edge, or Enforcement = penalty.");
-  }
-
-
-
-  int
-  stability_at(InterfaceSystem       &system,
-               const InterfacePoints &points,
-               const PointVectors    &force)
-  {
-    system.move_to(force);
-    return system.solve(linearized(points, force, system.lengths()), force)
-      .sign;
   }
 
 

@@ -9,17 +9,6 @@
 
 namespace lamella
 {
-  /// Returns the closest-point projection of @p x onto a facet with the map
-  /// X(s, t): the point (s, t) with stationary distance,
-  ///   X_,a . (x - X(s, t)) = 0,   a = s, t,
-  /// with X_,a the derivative of X. Newton's method from @p start uses the
-  /// matrix X_,a . X_,b - (x - X) . X_,ab; X_,ab is from differences of X_,a.
-  /// The map is continued outside the unit square. Empty if not converged.
-  std::optional<dealii::Point<2>>
-  projection_on(const FacetMap         &map,
-                const dealii::Point<3> &x,
-                const dealii::Point<2> &start);
-
   /// Returns the closest-point projection X_2 of @p x onto @p surface: the
   /// nearest one within @p search_radius whose facet normal n_2 is opposite to
   /// @p n1, the outward normal at x. @p opposed is the smallest permitted

@@ -57,50 +57,6 @@ namespace lamella
     SlipReferencePoints                 points; ///< Facing points there.
   };
 
-  /// Returns the slip reference point of the contact point @p point, which
-  /// faces the master point @p at on the surfaces @p sides.
-  SlipReferencePoint
-  slip_reference_point(const ContactSides &sides,
-                       const GapPoint     &point,
-                       const MasterPoint  &at);
-
-  /// Returns the slip of a contact point in a load step: the tangential motion
-  /// [length] of the master surface relative to the slave surface, from the
-  /// reference @p then to the point @p now, which faces @p at on @p sides,
-  ///   s = P (x_c(C) - x_c(C_0)) - P (x_o(O) - x_o(O_0)),   P = I - n n,
-  /// where C and O are the material points of the slave and master surface now
-  /// in contact, C_0 and O_0 those of the reference, and x_c and x_o current
-  /// positions. C is C_0 except on the line of a roller contact. The slave is
-  /// the second surface if @p on_second is true, else the first. s is invariant
-  /// to rigid motions of both bodies and to rotations of n.
-  dealii::Tensor<1, 3>
-  slip_increment_of(const ContactSides       &sides,
-                    const bool                on_second,
-                    const SlipReferencePoint &then,
-                    const GapPoint           &now,
-                    const MasterPoint        &at);
-
-  /// Returns the slip in a load step of a contact point that faced the master
-  /// surface at the reference @p then, but has left it past an edge,
-  ///   s = P (x_o(O_0) - x_c(C_0)),
-  /// with the slave normal n now.
-  dealii::Tensor<1, 3>
-  slip_past_edge(const ContactSides       &sides,
-                 const bool                on_second,
-                 const SlipReferencePoint &then);
-
-  /// Returns the slip in a load step of a contact point @p now that has come
-  /// over the master surface from past an edge. With the surfaces @p began at
-  /// the beginning of the step and the tangents t_a of the slave surface,
-  ///   s = sum over a of (x_c(C) - x_o(O)) . t_a at the beginning, times t_a at
-  /// @p at, on the surfaces @p sides now.
-  dealii::Tensor<1, 3>
-  slip_from_past_edge(const ContactSides &began,
-                      const ContactSides &sides,
-                      const bool          on_second,
-                      const GapPoint     &now,
-                      const MasterPoint  &at);
-
   /// Mortar integrals of one weighted gap i: averages over the contact points
   /// X_q (GapPoint) with the weights a_q phi_i(X_q) / A_i, where a_q is the
   /// area of the point and phi_i the multiplier function. psi_k are trace

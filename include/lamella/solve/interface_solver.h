@@ -88,13 +88,6 @@ namespace lamella
   void
   check_law(const InterfaceSolution &found, const bool has_friction);
 
-  /// Returns the sign of the determinant of Newton's matrix at the contact
-  /// forces @p force (InterfaceSolution::stability).
-  int
-  stability_at(InterfaceSystem       &system,
-               const InterfacePoints &points,
-               const PointVectors    &force);
-
   /**
    * Solves the laws of all @p points with the equilibrium of @p system. The
    * first of the following methods that converges gives the result:
