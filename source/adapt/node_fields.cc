@@ -7,10 +7,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/independent_rows.h>
-#include <lamella/base/text.h>
 #include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/body/total_lagrangian_beam.h>
-#include <lamella/recover/box_points.h>
 
 #include <algorithm>
 #include <map>

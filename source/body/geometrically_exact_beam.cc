@@ -11,7 +11,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/body/fields.h>
 #include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/section/shape_change.h>
 

@@ -12,7 +12,6 @@
 // Contacts and loads act through B; the tangent of B^T F is the part of the
 // geometric stiffness that belongs to forces off the axis.
 
-#include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/geometrically_exact_beam.h>
 

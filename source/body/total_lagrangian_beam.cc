@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/total_lagrangian_beam.h>
 

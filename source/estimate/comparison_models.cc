@@ -6,7 +6,6 @@
 #include <lamella/base/text.h>
 #include <lamella/estimate/comparison_models.h>
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <ostream>

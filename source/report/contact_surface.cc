@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/report/contact_surface.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/text.h>
 #include <lamella/report/vtu_file.h>
 
 #include <deal.II/base/exceptions.h>

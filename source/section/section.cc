@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/inverse_map.h>
-#include <lamella/base/text.h>
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
 #include <lamella/section/taylor_element.h>

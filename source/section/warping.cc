@@ -6,7 +6,6 @@
 #include <lamella/section/warping.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
 namespace lamella
@@ -76,16 +75,6 @@ namespace lamella
     inverse.vmult(amplitudes, parts);
     for (unsigned int r = 0; r < n_rigid; ++r)
       field[r] -= amplitudes[r];
-  }
-
-
-
-  Vector
-  Warping::metric(const Vector &field) const
-  {
-    Vector result(field.size());
-    metric_matrix.vmult(result, field);
-    return result;
   }
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/arithmetic.h>
 #include <lamella/solve/friction_step.h>
 
 #include <cmath>

@@ -15,7 +15,6 @@
 #include <lamella/base/text.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/nonlinear_solver.h>
 
 #include <deal.II/lac/precondition.h>

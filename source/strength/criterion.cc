@@ -258,13 +258,4 @@ namespace lamella
     result.index = index;
     return result;
   }
-
-
-
-  double
-  FailureSurface::index(const Voigt &stress) const
-  {
-    const double largest = largest_form(stress).first;
-    return has_planes ? std::max(largest, action_plane(stress).first) : largest;
-  }
 } // namespace lamella

@@ -4,7 +4,6 @@
 #define lamella_body_hexahedral_mesh_h
 
 #include <lamella/axis/axis.h>
-#include <lamella/base/linear_algebra.h>
 #include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/point.h>

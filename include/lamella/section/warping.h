@@ -38,9 +38,6 @@ namespace lamella
     Vector
     traction(const Vector &field) const;
 
-    /// Returns M w for w = @p field, with the matrix M of the energy norm.
-    Vector
-    metric(const Vector &field) const;
     /// Returns M w for each column w of @p fields (M of the energy norm).
     FieldColumns
     metric(const FieldColumns &fields) const;

@@ -7,7 +7,6 @@
 #include <lamella/solve/interface_system.h>
 
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace lamella

@@ -130,10 +130,6 @@ namespace lamella
     Assessment
     assess(const Voigt &mechanical, const Voigt &residual = Voigt()) const;
 
-    /// Returns the failure index of @p stress. This is faster than assess().
-    double
-    index(const Voigt &stress) const;
-
   private:
     /// The quadratic function f of one failure mode for given stress signs.
     struct Form
