@@ -36,12 +36,9 @@ namespace lamella
       end_word();
       return result;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// PATH = VALUE: RULE. REMEDY [ID], without what is not given.
     std::string
     composed(const std::string &path,

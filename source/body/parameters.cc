@@ -282,12 +282,9 @@ namespace lamella
                            to_text(sensible) + " times",
                          "Check the units of Length and of the section.");
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Functions in columns are no leading ones of each other.
     void
     check_degrees(const BodyDescription                    &body,

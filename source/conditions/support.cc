@@ -304,12 +304,9 @@ namespace lamella
           ++done;
         }
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Singular values of six columns, descending, and right singular vectors.
     struct Folded
     {

@@ -366,12 +366,9 @@ namespace lamella
                      "zero vector; write, for example, 0, 0, 1");
       return direction / direction.norm();
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Force, in place of u; sets the index @p body of its DoF.
     void
     parse_force(const Entries &in, const unsigned int body, Obstacle &obstacle)

@@ -61,12 +61,9 @@ namespace lamella
             ends.push_back(y);
         }
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Appends the ends of merged elements @p begin to @p end of @p lengths, of
     /// a graded part of an axis, to @p ends.
     void

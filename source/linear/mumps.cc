@@ -354,12 +354,9 @@ namespace lamella
       mutable DMUMPS_STRUC_C mumps{};
       mutable unsigned int   n_solutions = 0;
     };
-  } // namespace
 
 
 
-  namespace
-  {
     class RepeatedMumps : public RepeatedFactorization
     {
     public:

@@ -196,12 +196,9 @@ namespace lamella
           to_text(most) + " (0 for no limit)");
       return value;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     void
     check_no_budget(const Entries &in)
     {

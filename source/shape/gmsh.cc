@@ -351,12 +351,9 @@ namespace lamella
           "Scale multiplies the coordinates of the mesh: write 0.001 for a "
           "mesh in mm and a scene in m.");
     }
-  } // namespace
 
 
 
-  namespace
-  {
     PlyPlane
     plane_towards(const double degrees)
     {

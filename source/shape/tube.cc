@@ -89,12 +89,9 @@ namespace lamella
       const double phi = 0.5 * numbers::PI - 2. * numbers::PI * k / n;
       return outside.point(phi) - depth * outside.normal(phi);
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// The cells of @p rings, @p n in each, into @p mesh.
     void
     make_cells(const EllipseProjection &outside,
