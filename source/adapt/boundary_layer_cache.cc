@@ -57,6 +57,16 @@ namespace lamella
       return a.m() == b.m() && a.n() == b.n() &&
              std::equal(&a(0, 0), &a(0, 0) + a.m() * a.n(), &b(0, 0));
     }
+
+
+
+    /// Whether it is the same @p number on all of them.
+    bool
+    is_same_everywhere(const int number)
+    {
+      return Utilities::MPI::min(number, communicator()) ==
+             Utilities::MPI::max(number, communicator());
+    }
   } // namespace
 
 
@@ -94,19 +104,6 @@ namespace lamella
   BoundaryLayerModes::BoundaryLayerModes(const BoundaryLayerRules &rules)
     : rules(rules)
   {}
-
-
-
-  namespace
-  {
-    /// Whether it is the same @p number on all of them.
-    bool
-    is_same_everywhere(const int number)
-    {
-      return Utilities::MPI::min(number, communicator()) ==
-             Utilities::MPI::max(number, communicator());
-    }
-  } // namespace
 
 
 

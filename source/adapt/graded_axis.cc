@@ -121,54 +121,9 @@ namespace lamella
                                          (integral[k + 1] - integral[k])));
         }
     }
-  } // namespace
 
 
 
-  // Equidistribution of int 1 / s dy between two places, trapezoidal rule.
-  std::vector<double>
-  graded_breaks(const double                     length,
-                const std::vector<ShortElement> &given,
-                const GradingRules              &rules,
-                const double                     refinement_factor,
-                const std::vector<LoadedPart>   &loaded)
-  {
-    const unsigned int              samples = rules.samples;
-    const std::vector<ShortElement> places  = tidy(given, length, rules);
-    std::vector<double>             breaks;
-    for (unsigned int piece = 0; piece + 1 < places.size(); ++piece)
-      {
-        const double begin = places[piece].y, end = places[piece + 1].y,
-                     step  = (end - begin) / samples;
-        const auto density = [&](const unsigned int k) {
-          return 1. / size_at(begin + k * step, length, places, loaded, rules);
-        };
-        // The integral of 1 / s up to each sample, by the trapezoidal rule.
-        std::vector<double> integral{0.};
-        for (unsigned int k = 0; k < samples; ++k)
-          integral.push_back(integral.back() +
-                             0.5 * step * (density(k) + density(k + 1)));
-        const bool is_loaded =
-          std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
-            return part.begin < end && part.end > begin;
-          });
-        // The allowance avoids a further element for an integral barely above
-        // an integer.
-        const unsigned int n =
-          n_elements(integral.back() - rules.rounding_allowance,
-                     is_loaded ? 2. : 1.,
-                     refinement_factor);
-        add_equal_parts(integral, begin, step, n, breaks);
-        if (piece + 2 < places.size())
-          breaks.push_back(end);
-      }
-    return breaks;
-  }
-
-
-
-  namespace
-  {
     bool
     is_automatic(const BodyDescription &body)
     {
@@ -472,6 +427,48 @@ namespace lamella
       return targets;
     }
   } // namespace
+
+
+
+  // Equidistribution of int 1 / s dy between two places, trapezoidal rule.
+  std::vector<double>
+  graded_breaks(const double                     length,
+                const std::vector<ShortElement> &given,
+                const GradingRules              &rules,
+                const double                     refinement_factor,
+                const std::vector<LoadedPart>   &loaded)
+  {
+    const unsigned int              samples = rules.samples;
+    const std::vector<ShortElement> places  = tidy(given, length, rules);
+    std::vector<double>             breaks;
+    for (unsigned int piece = 0; piece + 1 < places.size(); ++piece)
+      {
+        const double begin = places[piece].y, end = places[piece + 1].y,
+                     step  = (end - begin) / samples;
+        const auto density = [&](const unsigned int k) {
+          return 1. / size_at(begin + k * step, length, places, loaded, rules);
+        };
+        // The integral of 1 / s up to each sample, by the trapezoidal rule.
+        std::vector<double> integral{0.};
+        for (unsigned int k = 0; k < samples; ++k)
+          integral.push_back(integral.back() +
+                             0.5 * step * (density(k) + density(k + 1)));
+        const bool is_loaded =
+          std::any_of(loaded.begin(), loaded.end(), [&](const auto &part) {
+            return part.begin < end && part.end > begin;
+          });
+        // The allowance avoids a further element for an integral barely above
+        // an integer.
+        const unsigned int n =
+          n_elements(integral.back() - rules.rounding_allowance,
+                     is_loaded ? 2. : 1.,
+                     refinement_factor);
+        add_equal_parts(integral, begin, step, n, breaks);
+        if (piece + 2 < places.size())
+          breaks.push_back(end);
+      }
+    return breaks;
+  }
 
 
 

@@ -132,42 +132,9 @@ namespace lamella
                        rules,
                        interactions);
     }
-  } // namespace
 
 
 
-  std::vector<LocalInteraction>
-  heated_free_ends(const Beam                          &beam,
-                   const std::vector<LocalInteraction> &interactions)
-  {
-    const Axis                   &axis = beam.axis();
-    std::vector<LocalInteraction> ends;
-    if (!beam.is_heated())
-      return ends;
-    for (const bool at_start : {true, false})
-      {
-        const unsigned int cell = at_start ? 0 : axis.n_cells() - 1;
-        LocalInteraction   end;
-        end.name            = "heated end";
-        end.begin           = at_start ? 0. : axis.length();
-        end.end             = end.begin;
-        end.element         = axis.cell_end(cell) - axis.cell_begin(cell);
-        end.is_free         = true;
-        const auto holds_it = [&](const LocalInteraction &interaction) {
-          return interaction.constrains_section &&
-                 std::abs(interaction.begin - end.begin) <
-                   arithmetic::same_position * axis.length();
-        };
-        if (std::none_of(interactions.begin(), interactions.end(), holds_it))
-          ends.push_back(end);
-      }
-    return ends;
-  }
-
-
-
-  namespace
-  {
     /// Returns the section loads of @p support, number @p number, on @p beam,
     /// the body number @p body.
     std::vector<SectionLoad>
@@ -253,10 +220,37 @@ namespace lamella
       for (unsigned int tangent = 0; tangent < 2; ++tangent)
         add("friction of contact " + contact.name, tangent, nullptr);
     }
-
-
-
   } // namespace
+
+
+
+  std::vector<LocalInteraction>
+  heated_free_ends(const Beam                          &beam,
+                   const std::vector<LocalInteraction> &interactions)
+  {
+    const Axis                   &axis = beam.axis();
+    std::vector<LocalInteraction> ends;
+    if (!beam.is_heated())
+      return ends;
+    for (const bool at_start : {true, false})
+      {
+        const unsigned int cell = at_start ? 0 : axis.n_cells() - 1;
+        LocalInteraction   end;
+        end.name            = "heated end";
+        end.begin           = at_start ? 0. : axis.length();
+        end.end             = end.begin;
+        end.element         = axis.cell_end(cell) - axis.cell_begin(cell);
+        end.is_free         = true;
+        const auto holds_it = [&](const LocalInteraction &interaction) {
+          return interaction.constrains_section &&
+                 std::abs(interaction.begin - end.begin) <
+                   arithmetic::same_position * axis.length();
+        };
+        if (std::none_of(interactions.begin(), interactions.end(), holds_it))
+          ends.push_back(end);
+      }
+    return ends;
+  }
 
 
 

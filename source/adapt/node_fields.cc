@@ -280,26 +280,28 @@ namespace lamella
 
 
 
-    /// What heat does to all of the bodies @p touched, and their weights: what
-    /// loads sections all along.
-    std::pair<std::vector<Beam::SectionThermalLoad>, std::vector<Vector>>
+    /// Returns the loads of all sections of the bodies @p loaded.
+    LoadsAlongAxis
     loads_along_axis(const std::vector<const Beam *>       &beams,
                      const std::vector<InteractionsOfBody> &loaded,
+                     const std::vector<BodyDescription>    &descriptions,
                      const Tensor<1, 3>                    &gravity,
                      const FieldRules                      &rules)
     {
-      std::vector<Beam::SectionThermalLoad> heat;
-      std::vector<Vector>                   weights;
+      LoadsAlongAxis found;
       for (const InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];
           for (const Beam::SectionThermalLoad &one :
                independent_heat(beam, rules))
-            heat.push_back(one);
+            found.heat.push_back(one);
           if (gravity.norm() > 0.)
-            weights.push_back(beam.section_weight(gravity));
+            found.weights.push_back(beam.section_weight(gravity));
+          // Bodies of one section have equal densities.
+          if (descriptions[body.number].has_inertia && found.inertia.empty())
+            found.inertia = beam.section_inertia();
         }
-      return {heat, weights};
+      return found;
     }
 
 
@@ -380,13 +382,11 @@ namespace lamella
             std::vector<std::string>           &notes)
     {
       const std::vector<const Beam *> beams = beams_of(bodies);
-      const auto [heat, weights] =
-        loads_along_axis(beams, loaded, gravity, rules);
-      SectionFields fields(beams[loaded[0].number]->fields().shared_section(),
-                           descriptions[loaded[0].number].theory,
-                           rules,
-                           heat,
-                           weights);
+      SectionFields                   fields(
+        beams[loaded[0].number]->fields().shared_section(),
+        descriptions[loaded[0].number].theory,
+        rules,
+        loads_along_axis(beams, loaded, descriptions, gravity, rules));
       for (InteractionsOfBody &body : loaded)
         {
           const Beam &beam = *beams[body.number];

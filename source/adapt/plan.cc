@@ -78,30 +78,9 @@ namespace lamella
                1 :
                std::lround(std::min(most, std::max(2., size.slenderness)));
     }
-  } // namespace
 
 
 
-  std::string
-  reason_for_layerwise(const BodySize &size, const PlanRules &rules)
-  {
-    if (has_contact_along_axis(size, rules))
-      return "contacts may touch " + to_text(100. * size.loaded, 3) +
-             " % of its length, and there would be a response to each row";
-    if (size.is_held_at_side)
-      return "a support acts on one of its sides, and there would be a response "
-             "to each row";
-    const double dofs = layerwise_dofs(size, 2);
-    return dofs <= rules.cheap_dofs ?
-             "LE-2 has some " + to_text(dofs, 2) +
-               " DoFs, less work than making fields of its own" :
-             "";
-  }
-
-
-
-  namespace
-  {
     /// Returns why a body of SV-N keeps all section fields, or an empty text.
     std::string
     reason_for_all_fields(const PlanInput &facts, const PlanRules &rules)
@@ -123,7 +102,57 @@ namespace lamella
                " section functions";
       return "";
     }
+
+
+
+    double
+    full(const double m)
+    {
+      return 0.5 * m * (m + 1.);
+    }
+
+
+
+    /// Factor non-zeros of @p beam, eliminated as in predicted_costs().
+    double
+    non_zeros_of(const Beam &beam)
+    {
+      const Axis &axis   = beam.axis();
+      const auto  fields = [&beam](const unsigned int node) {
+        return double(beam.dofs().fields(node).size());
+      };
+      double sum = full(fields(axis.n_nodes() - 1));
+      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
+        {
+          const auto  &nodes = axis.nodes_of_cell(cell);
+          const double begin = fields(nodes[0]), end = fields(nodes[1]);
+          double       inside = -begin - end;
+          for (const unsigned int node : nodes)
+            inside += fields(node);
+          sum +=
+            full(inside) + inside * (begin + end) + full(begin) + begin * end;
+        }
+      return sum;
+    }
   } // namespace
+
+
+
+  std::string
+  reason_for_layerwise(const BodySize &size, const PlanRules &rules)
+  {
+    if (has_contact_along_axis(size, rules))
+      return "contacts may touch " + to_text(100. * size.loaded, 3) +
+             " % of its length, and there would be a response to each row";
+    if (size.is_held_at_side)
+      return "a support acts on one of its sides, and there would be a response "
+             "to each row";
+    const double dofs = layerwise_dofs(size, 2);
+    return dofs <= rules.cheap_dofs ?
+             "LE-2 has some " + to_text(dofs, 2) +
+               " DoFs, less work than making fields of its own" :
+             "";
+  }
 
 
 
@@ -168,41 +197,6 @@ namespace lamella
              "fields chosen by what touches it, fewer than those of the section" :
              "the rigid fields and Saint-Venant's warpings";
   }
-
-
-
-  namespace
-  {
-    double
-    full(const double m)
-    {
-      return 0.5 * m * (m + 1.);
-    }
-
-
-
-    /// Factor non-zeros of @p beam, eliminated as in predicted_costs().
-    double
-    non_zeros_of(const Beam &beam)
-    {
-      const Axis &axis   = beam.axis();
-      const auto  fields = [&beam](const unsigned int node) {
-        return double(beam.dofs().fields(node).size());
-      };
-      double sum = full(fields(axis.n_nodes() - 1));
-      for (unsigned int cell = 0; cell < axis.n_cells(); ++cell)
-        {
-          const auto  &nodes = axis.nodes_of_cell(cell);
-          const double begin = fields(nodes[0]), end = fields(nodes[1]);
-          double       inside = -begin - end;
-          for (const unsigned int node : nodes)
-            inside += fields(node);
-          sum +=
-            full(inside) + inside * (begin + end) + full(begin) + begin * end;
-        }
-      return sum;
-    }
-  } // namespace
 
 
 

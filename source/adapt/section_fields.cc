@@ -61,12 +61,10 @@ namespace lamella
 
 
 
-  SectionFields::SectionFields(
-    std::shared_ptr<const Section>               section_,
-    const Theory                                &theory,
-    const FieldRules                            &rules,
-    const std::vector<Beam::SectionThermalLoad> &heat,
-    const std::vector<Vector>                   &weights)
+  SectionFields::SectionFields(std::shared_ptr<const Section> section_,
+                               const Theory                  &theory,
+                               const FieldRules              &rules,
+                               const LoadsAlongAxis          &all)
     : section(std::move(section_))
     , theory(theory)
     , rules(rules)
@@ -75,13 +73,22 @@ namespace lamella
     , warpings(saint_venant_warpings(states, warping))
     , modes(warpings)
   {
+    if (!all.inertia.empty())
+      {
+        Group group;
+        group.smooth = all.inertia;
+        // Waves as short as those of other smooth loads.
+        group.element =
+          rules.highest_wave / rules.highest_wave_far * warping.height();
+        groups.push_back(group);
+      }
     std::vector<Vector> answers;
-    for (const Beam::SectionThermalLoad &one : heat)
+    for (const Beam::SectionThermalLoad &one : all.heat)
       {
         heated.emplace_back(states, one);
         answers.push_back(heated.back().answer);
       }
-    for (const Vector &load : weights)
+    for (const Vector &load : all.weights)
       if (load.l2_norm() > 0.)
         answers.push_back(states.response_to_constant(load));
     if (answers.empty())

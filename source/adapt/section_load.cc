@@ -112,51 +112,9 @@ namespace lamella
             part.begin < part.end && part.span > beam.section().extents().first)
           parts.push_back(part);
     }
-  } // namespace
 
 
 
-  std::vector<LoadedPart>
-  loaded_parts(const unsigned int               body,
-               const Bodies                    &bodies,
-               const std::vector<Load>         &loads,
-               const Tensor<1, 3>              &gravity,
-               const std::vector<ShortElement> &places)
-  {
-    const Beam             &beam = *beams_of(bodies)[body];
-    std::vector<double>     ends{0., beam.axis().length()};
-    std::vector<LoadedPart> parts;
-    for (const ShortElement &place : places)
-      if (place.holds)
-        ends.push_back(place.y);
-    const auto add = [&](const AlongAxis &f) {
-      add_parts(beam, f, ends, parts);
-    };
-    for (Load load : loads)
-      {
-        const auto is_beside = [&](const Region &region) {
-          return region.body != body || !acts_along(region, beam);
-        };
-        load.on.erase(std::remove_if(load.on.begin(), load.on.end(), is_beside),
-                      load.on.end());
-        if (!load.on.empty())
-          add(across_axis(beam, load_vector_on(load, body, bodies)));
-      }
-    if (gravity.norm() > 0.)
-      {
-        Vector weight(beam.n_dofs());
-        beam.add_weight(gravity, weight);
-        add(across_axis(beam, weight));
-      }
-    if (beam.is_heated())
-      add(heat_variations(beam));
-    return parts;
-  }
-
-
-
-  namespace
-  {
     /// Section load vectors by the nodes of the axis. Rows, since a support of
     /// a whole body has as many as it has nodes, of few entries each.
     using ByNode = std::map<unsigned int, LinearFunctional>;
@@ -258,6 +216,45 @@ namespace lamella
       return std::sqrt(axial) > rules.along_axis * l2_norm(f) ? f : rest;
     }
   } // namespace
+
+
+
+  std::vector<LoadedPart>
+  loaded_parts(const unsigned int               body,
+               const Bodies                    &bodies,
+               const std::vector<Load>         &loads,
+               const Tensor<1, 3>              &gravity,
+               const std::vector<ShortElement> &places)
+  {
+    const Beam             &beam = *beams_of(bodies)[body];
+    std::vector<double>     ends{0., beam.axis().length()};
+    std::vector<LoadedPart> parts;
+    for (const ShortElement &place : places)
+      if (place.holds)
+        ends.push_back(place.y);
+    const auto add = [&](const AlongAxis &f) {
+      add_parts(beam, f, ends, parts);
+    };
+    for (Load load : loads)
+      {
+        const auto is_beside = [&](const Region &region) {
+          return region.body != body || !acts_along(region, beam);
+        };
+        load.on.erase(std::remove_if(load.on.begin(), load.on.end(), is_beside),
+                      load.on.end());
+        if (!load.on.empty())
+          add(across_axis(beam, load_vector_on(load, body, bodies)));
+      }
+    if (gravity.norm() > 0.)
+      {
+        Vector weight(beam.n_dofs());
+        beam.add_weight(gravity, weight);
+        add(across_axis(beam, weight));
+      }
+    if (beam.is_heated())
+      add(heat_variations(beam));
+    return parts;
+  }
 
 
 

@@ -54,6 +54,31 @@ namespace lamella
       return value.size() <= longest ? whole :
                                        replaced(whole, value, abridged(value));
     }
+
+
+
+    std::size_t
+    edit_distance(const std::string &a, const std::string &b)
+    {
+      const auto same = [](const char p, const char q) {
+        return std::tolower(static_cast<unsigned char>(p)) ==
+               std::tolower(static_cast<unsigned char>(q));
+      };
+      std::vector<std::size_t> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          std::size_t diagonal = row[0];
+          row[0]               = i + 1;
+          for (std::size_t j = 0; j < b.size(); ++j)
+            {
+              const std::size_t replace = diagonal + (same(a[i], b[j]) ? 0 : 1);
+              diagonal                  = row[j + 1];
+              row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replace});
+            }
+        }
+      return row.back();
+    }
   } // namespace
 
 
@@ -188,34 +213,6 @@ namespace lamella
       std::cerr << outcome.message << std::endl;
     return outcome.status;
   }
-
-
-
-  namespace
-  {
-    std::size_t
-    edit_distance(const std::string &a, const std::string &b)
-    {
-      const auto same = [](const char p, const char q) {
-        return std::tolower(static_cast<unsigned char>(p)) ==
-               std::tolower(static_cast<unsigned char>(q));
-      };
-      std::vector<std::size_t> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0);
-      for (std::size_t i = 0; i < a.size(); ++i)
-        {
-          std::size_t diagonal = row[0];
-          row[0]               = i + 1;
-          for (std::size_t j = 0; j < b.size(); ++j)
-            {
-              const std::size_t replace = diagonal + (same(a[i], b[j]) ? 0 : 1);
-              diagonal                  = row[j + 1];
-              row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replace});
-            }
-        }
-      return row.back();
-    }
-  } // namespace
 
 
 

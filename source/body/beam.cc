@@ -21,6 +21,21 @@ namespace lamella
       std::iota(fields.begin(), fields.end(), 0);
       return std::vector<std::vector<unsigned int>>(axis.n_nodes(), fields);
     }
+
+
+
+    /// Weights of the deflections and slopes at the ends in those at @p t in
+    /// [0, 1] of an element of length @p L (constrain_to_kirchhoff()).
+    std::array<std::array<double, 4>, 2>
+    hermite_weights(const double t, const double L, const double h)
+    {
+      const double H2 = t * t * (3. - 2. * t), H2_t = 6. * t * (1. - t);
+      const double H1   = t * (1. - t) * (1. - t);
+      const double H3   = -t * t * (1. - t);
+      const double H1_t = (1. - t) * (1. - 3. * t), H3_t = t * (3. * t - 2.);
+      return {{{{1. - H2, H2, -L / h * H1, -L / h * H3}},
+               {{h / L * H2_t, -h / L * H2_t, H1_t, H3_t}}}};
+    }
   } // namespace
 
 
@@ -75,24 +90,6 @@ namespace lamella
       constrain_to_kirchhoff();
     kirchhoff.close();
   }
-
-
-
-  namespace
-  {
-    /// Weights of the deflections and slopes at the ends in those at @p t in
-    /// [0, 1] of an element of length @p L (constrain_to_kirchhoff()).
-    std::array<std::array<double, 4>, 2>
-    hermite_weights(const double t, const double L, const double h)
-    {
-      const double H2 = t * t * (3. - 2. * t), H2_t = 6. * t * (1. - t);
-      const double H1   = t * (1. - t) * (1. - t);
-      const double H3   = -t * t * (1. - t);
-      const double H1_t = (1. - t) * (1. - 3. * t), H3_t = t * (3. * t - 2.);
-      return {{{{1. - H2, H2, -L / h * H1, -L / h * H3}},
-               {{h / L * H2_t, -h / L * H2_t, H1_t, H3_t}}}};
-    }
-  } // namespace
 
 
 

@@ -199,6 +199,41 @@ namespace lamella
           }
       return sum;
     }
+
+
+
+    /// Adds the parameters at which the segment a + t d, projected into the
+    /// section, passes vertices or crosses the sides of @p element's cells.
+    void
+    add_section_breaks(const CrossSectionElement &element,
+                       const Point<2>            &a,
+                       const Tensor<1, 2>        &d,
+                       const double               tolerance,
+                       std::vector<double>       &breaks)
+    {
+      if (d.norm() <= tolerance)
+        return;
+      for (const auto &cell :
+           element.section_mesh().mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->manifold_id() == numbers::flat_manifold_id)
+            add_edge_crossings(cell->face(f)->vertex(0),
+                               cell->face(f)->vertex(1),
+                               a,
+                               d,
+                               tolerance,
+                               breaks);
+          else
+            add_curve_crossings(
+              [&](const double s) {
+                return element.map(cell->active_cell_index(), face_point(f, s))
+                  .position;
+              },
+              a,
+              d,
+              tolerance,
+              breaks);
+    }
   } // namespace
 
 
@@ -285,44 +320,6 @@ namespace lamella
       }
     return result;
   }
-
-
-
-  namespace
-  {
-    /// Adds the parameters at which the segment a + t d, projected into the
-    /// section, passes vertices or crosses the sides of @p element's cells.
-    void
-    add_section_breaks(const CrossSectionElement &element,
-                       const Point<2>            &a,
-                       const Tensor<1, 2>        &d,
-                       const double               tolerance,
-                       std::vector<double>       &breaks)
-    {
-      if (d.norm() <= tolerance)
-        return;
-      for (const auto &cell :
-           element.section_mesh().mesh.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->manifold_id() == numbers::flat_manifold_id)
-            add_edge_crossings(cell->face(f)->vertex(0),
-                               cell->face(f)->vertex(1),
-                               a,
-                               d,
-                               tolerance,
-                               breaks);
-          else
-            add_curve_crossings(
-              [&](const double s) {
-                return element.map(cell->active_cell_index(), face_point(f, s))
-                  .position;
-              },
-              a,
-              d,
-              tolerance,
-              breaks);
-    }
-  } // namespace
 
 
 

@@ -5,6 +5,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/body_solver.h>
+#include <lamella/body/fields.h>
 #include <lamella/linear/block_factorization.h>
 #include <lamella/linear/factorization.h>
 
@@ -35,16 +36,26 @@ namespace lamella
 
 
 
+    /// Returns for each function of @p space whether a node has it.
+    std::vector<bool>
+    carried_functions(const SectionSpace &space, const BeamDofMap &dofs)
+    {
+      std::vector<bool> carried(space.n_fields(), false);
+      for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
+        for (const unsigned int alpha : dofs.fields(node))
+          carried[alpha] = true;
+      return carried;
+    }
+
+
+
     /// The section's factor of the stiffness: a row for each field of any node.
     std::vector<FactorRow>
     section_rows(const SectionSpace &space,
                  const Axis         &axis,
                  const BeamDofMap   &dofs)
     {
-      std::vector<bool> carried(space.n_fields(), false);
-      for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
-        for (const unsigned int alpha : dofs.fields(node))
-          carried[alpha] = true;
+      const std::vector<bool>   carried = carried_functions(space, dofs);
       std::vector<unsigned int> fields;
       for (unsigned int alpha = 0; alpha < carried.size(); ++alpha)
         if (carried[alpha])
@@ -179,8 +190,31 @@ namespace lamella
                                  const bool           with_values,
                                  const BlockCallback &use) const
   {
-    const std::vector<FactorRow> on_section =
-      section_rows(*space, *beam_axis, dof_map);
+    for_each_product_row(section_rows(*space, *beam_axis, dof_map),
+                         with_values,
+                         use);
+  }
+
+
+
+  void
+  Beam::for_each_mass_block(const Vector &,
+                            const bool           with_values,
+                            const BlockCallback &use) const
+  {
+    for_each_product_row(space->mass_rows(densities(*this),
+                                          carried_functions(*space, dof_map)),
+                         with_values,
+                         use);
+  }
+
+
+
+  void
+  Beam::for_each_product_row(const std::vector<FactorRow> &on_section,
+                             const bool                    with_values,
+                             const BlockCallback          &use) const
+  {
     // A block is a row of the Kronecker products.
     StiffnessBlock block;
     block.rows.resize(1);

@@ -108,6 +108,115 @@ namespace lamella
         parts.boundaries = {surface};
       return parts;
     }
+
+
+
+    /// The point at @p unit of @p cell, with the determinant as weight.
+    EdgePoint
+    point_in_section(const CrossSectionElement &element,
+                     const unsigned int         cell,
+                     const Point<2>            &unit)
+    {
+      const auto at = element.map(cell, unit);
+      EdgePoint  point;
+      point.position = at.position;
+      point.weight   = determinant(at.jacobian);
+      point.cell     = cell;
+      point.unit     = unit;
+      return point;
+    }
+
+
+
+    /// Numbers of the nodes of a grid of (degree + 1)^2 points on each cell of
+    /// a section mesh; cells share the nodes at their vertices and lines.
+    class SectionNodes
+    {
+    public:
+      SectionNodes(const Triangulation<2> &mesh, const unsigned int degree)
+        : p(degree)
+        , n_vertices(mesh.n_vertices())
+        , n_on_lines(std::uint64_t(mesh.n_raw_lines()) * (p - 1))
+        , cells(mesh.active_cell_iterators().begin(),
+                mesh.active_cell_iterators().end())
+      {}
+
+      unsigned int
+      degree() const
+      {
+        return p;
+      }
+
+      /// The point (i, j) of @p cell: i along the unit square's x, j along z.
+      std::uint64_t
+      number(const unsigned int c,
+             const unsigned int i,
+             const unsigned int j) const
+      {
+        const auto &cell   = cells[c];
+        const bool  i_ends = i == 0 || i == p, j_ends = j == 0 || j == p;
+        if (i_ends && j_ends)
+          return cell->vertex_index((i == p) + 2 * (j == p));
+        if (!i_ends && !j_ends)
+          return n_vertices + n_on_lines +
+                 (std::uint64_t(cell->active_cell_index()) * p + j) * p + i;
+        // deal.II's lines: x = 0, x = 1 upwards, z = 0, z = 1 to the right.
+        const unsigned int f     = i_ends ? (i == p) : 2 + (j == p);
+        const unsigned int begin = i_ends ? (i == p) : 2 * (j == p);
+        const unsigned int k     = i_ends ? j : i;
+        const bool         along =
+          cell->line(f)->vertex_index(0) == cell->vertex_index(begin);
+        return n_vertices + std::uint64_t(cell->line_index(f)) * (p - 1) +
+               (along ? k : p - k) - 1;
+      }
+
+    private:
+      unsigned int  p;
+      std::uint64_t n_vertices, n_on_lines;
+      std::vector<Triangulation<2>::active_cell_iterator> cells;
+    };
+
+
+
+    /// Numbers of the nodes of @p facet in the body: (node of the section)
+    /// times the nodes of the axis plus (node of the axis).
+    std::vector<std::uint64_t>
+    facet_nodes(const SurfaceFacet &facet,
+                const SectionNodes &section,
+                const unsigned int  n_section_cells,
+                const Axis         &axis)
+    {
+      const unsigned int        p         = section.degree();
+      const unsigned int        c         = facet.cell % n_section_cells;
+      const unsigned int        axis_cell = facet.cell / n_section_cells;
+      std::vector<unsigned int> along     = axis.nodes_of_cell(axis_cell);
+      std::sort(along.begin(), along.end());
+      const auto node = [&](const unsigned int i,
+                            const unsigned int j,
+                            const unsigned int on_axis) {
+        return section.number(c, i, j) * axis.n_nodes() + on_axis;
+      };
+      std::vector<std::uint64_t> nodes;
+      if (facet.along_t[1] == 0.)
+        {
+          const unsigned int end =
+            facet.origin[1] == 0. ? along.front() : along.back();
+          for (unsigned int j = 0; j <= p; ++j)
+            for (unsigned int i = 0; i <= p; ++i)
+              nodes.push_back(node(i, j, end));
+          return nodes;
+        }
+      // Along a side one of the two coordinates stands still.
+      const auto at = [&](const unsigned int d, const unsigned int i) {
+        const double unit =
+          facet.origin[d] + facet.along_s[d] * double(i) / double(p);
+        return static_cast<unsigned int>(std::lround(p * unit));
+      };
+      for (const unsigned int on_axis : along)
+        for (unsigned int i = 0; i <= p; ++i)
+          nodes.push_back(node(at(0, i), at(2, i), on_axis));
+      return nodes;
+    }
   } // namespace
 
 
@@ -243,26 +352,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// The point at @p unit of @p cell, with the determinant as weight.
-    EdgePoint
-    point_in_section(const CrossSectionElement &element,
-                     const unsigned int         cell,
-                     const Point<2>            &unit)
-    {
-      const auto at = element.map(cell, unit);
-      EdgePoint  point;
-      point.position = at.position;
-      point.weight   = determinant(at.jacobian);
-      point.cell     = cell;
-      point.unit     = unit;
-      return point;
-    }
-  } // namespace
-
-
-
   void
   Beam::complete(SurfaceFacet &facet) const
   {
@@ -340,100 +429,6 @@ namespace lamella
                          axis_cell,
                          unit[1]);
   }
-
-
-  namespace
-  {
-    /// Numbers of the nodes of a grid of (degree + 1)^2 points on each cell of
-    /// a section mesh; cells share the nodes at their vertices and lines.
-    class SectionNodes
-    {
-    public:
-      SectionNodes(const Triangulation<2> &mesh, const unsigned int degree)
-        : p(degree)
-        , n_vertices(mesh.n_vertices())
-        , n_on_lines(std::uint64_t(mesh.n_raw_lines()) * (p - 1))
-        , cells(mesh.active_cell_iterators().begin(),
-                mesh.active_cell_iterators().end())
-      {}
-
-      unsigned int
-      degree() const
-      {
-        return p;
-      }
-
-      /// The point (i, j) of @p cell: i along the unit square's x, j along z.
-      std::uint64_t
-      number(const unsigned int c,
-             const unsigned int i,
-             const unsigned int j) const
-      {
-        const auto &cell   = cells[c];
-        const bool  i_ends = i == 0 || i == p, j_ends = j == 0 || j == p;
-        if (i_ends && j_ends)
-          return cell->vertex_index((i == p) + 2 * (j == p));
-        if (!i_ends && !j_ends)
-          return n_vertices + n_on_lines +
-                 (std::uint64_t(cell->active_cell_index()) * p + j) * p + i;
-        // deal.II's lines: x = 0, x = 1 upwards, z = 0, z = 1 to the right.
-        const unsigned int f     = i_ends ? (i == p) : 2 + (j == p);
-        const unsigned int begin = i_ends ? (i == p) : 2 * (j == p);
-        const unsigned int k     = i_ends ? j : i;
-        const bool         along =
-          cell->line(f)->vertex_index(0) == cell->vertex_index(begin);
-        return n_vertices + std::uint64_t(cell->line_index(f)) * (p - 1) +
-               (along ? k : p - k) - 1;
-      }
-
-    private:
-      unsigned int  p;
-      std::uint64_t n_vertices, n_on_lines;
-      std::vector<Triangulation<2>::active_cell_iterator> cells;
-    };
-
-
-
-    /// Numbers of the nodes of @p facet in the body: (node of the section)
-    /// times the nodes of the axis plus (node of the axis).
-    std::vector<std::uint64_t>
-    facet_nodes(const SurfaceFacet &facet,
-                const SectionNodes &section,
-                const unsigned int  n_section_cells,
-                const Axis         &axis)
-    {
-      const unsigned int        p         = section.degree();
-      const unsigned int        c         = facet.cell % n_section_cells;
-      const unsigned int        axis_cell = facet.cell / n_section_cells;
-      std::vector<unsigned int> along     = axis.nodes_of_cell(axis_cell);
-      std::sort(along.begin(), along.end());
-      const auto node = [&](const unsigned int i,
-                            const unsigned int j,
-                            const unsigned int on_axis) {
-        return section.number(c, i, j) * axis.n_nodes() + on_axis;
-      };
-      std::vector<std::uint64_t> nodes;
-      if (facet.along_t[1] == 0.)
-        {
-          const unsigned int end =
-            facet.origin[1] == 0. ? along.front() : along.back();
-          for (unsigned int j = 0; j <= p; ++j)
-            for (unsigned int i = 0; i <= p; ++i)
-              nodes.push_back(node(i, j, end));
-          return nodes;
-        }
-      // Along a side one of the two coordinates stands still.
-      const auto at = [&](const unsigned int d, const unsigned int i) {
-        const double unit =
-          facet.origin[d] + facet.along_s[d] * double(i) / double(p);
-        return static_cast<unsigned int>(std::lround(p * unit));
-      };
-      for (const unsigned int on_axis : along)
-        for (unsigned int i = 0; i <= p; ++i)
-          nodes.push_back(node(at(0, i), at(2, i), on_axis));
-      return nodes;
-    }
-  } // namespace
 
 
 

@@ -175,34 +175,37 @@ namespace lamella
 
 
 
+  // Inertial forces of the translations, the first rigid section functions.
   Vector
   Beam::section_weight(const Tensor<1, 3> &acceleration) const
   {
-    const std::vector<double> rho = densities(*this);
-    const Tensor<1, 3>        g   = placement.vector_to_body(acceleration);
+    const std::vector<Vector> inertia = section_inertia();
+    const Tensor<1, 3>        g       = placement.vector_to_body(acceleration);
     Vector                    load(beam_section->n_fields());
-    beam_section->for_each_point(
-      [&](const SectionPoint &point, const double weight) {
-        const double mass = weight * rho[beam_section->cell_ply(point.cell)];
-        for (unsigned int a = 0; a < point.fields->size(); ++a)
-          load[(*point.fields)[a]] += mass * (g * point.value[a]);
-      });
+    for (unsigned int c = 0; c < 3; ++c)
+      load.add(g[c], inertia[c]);
     return load;
   }
 
 
 
-  void
-  Beam::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
+  // Rigid section functions are the first of each cell.
+  std::vector<Vector>
+  Beam::section_inertia() const
   {
-    const Vector  load = section_weight(acceleration);
-    SectionForces forces(load.size(), along_axis().n_stations());
-    for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
-      std::copy(load.begin(), load.end(), &forces.work[FieldPart::value](0, k));
-    along_axis().add_forces(
-      [&](const unsigned int, const SectionOperator &section_operator) {
-        return on_list(*space, section_operator.fields(), forces);
-      },
-      f);
+    const std::vector<double> rho = densities(*this);
+    std::vector<Vector>       forces(RigidField::n_all,
+                               Vector(beam_section->n_fields()));
+    beam_section->for_each_point(
+      [&](const SectionPoint &point, const double weight) {
+        const double mass = weight * rho[beam_section->cell_ply(point.cell)];
+        // EBBT and TBT have no rotation about the axis.
+        const std::size_t n_rigid = std::min(forces.size(), point.value.size());
+        for (unsigned int r = 0; r < n_rigid; ++r)
+          for (unsigned int a = 0; a < point.fields->size(); ++a)
+            forces[r][(*point.fields)[a]] +=
+              mass * (point.value[r] * point.value[a]);
+      });
+    return forces;
   }
 } // namespace lamella

@@ -100,8 +100,8 @@ namespace lamella
             ply,
             "Density",
             body,
-            "is under Gravity",
-            "Give it (0 if its weight does not count), or leave out Gravity.");
+            "needs it for Gravity or Find = modes",
+            "Write it (0 if its mass does not count), or leave these out.");
         rho.push_back(*ply.properties.density);
       }
     return rho;

@@ -165,59 +165,9 @@ namespace lamella
               grid.samples[k] = body.sample(where, u);
             }
     }
-  } // namespace
 
 
 
-  BoundingBox<3>
-  Body::bounding_box() const
-  {
-    std::vector<Point<3>> corners;
-    for (unsigned int cell = 0; cell < cells().n; ++cell)
-      for (const Point<3> &corner : corners_of(*this, cell))
-        corners.push_back(corner);
-    return BoundingBox<3>(corners);
-  }
-
-
-
-  std::vector<double>
-  Body::line_breaks(const Point<3> &from, const Point<3> &to) const
-  {
-    BoundingBox<3> around(std::vector<Point<3>>{from, to});
-    around.extend(arithmetic::same_position_across * size());
-    std::vector<double> breaks;
-    for (unsigned int cell = 0; cell < cells().n; ++cell)
-      {
-        const std::vector<Point<3>> corners = corners_of(*this, cell);
-        if (around.get_neighbor_type(BoundingBox<3>(corners)) ==
-            NeighborType::not_neighbors)
-          continue;
-        for (unsigned int normal = 0; normal < 3; ++normal)
-          for (const unsigned int side : {0, 1})
-            add_side_crossing(corners, normal, side, from, to - from, breaks);
-      }
-    return merge_breaks(std::move(breaks));
-  }
-
-
-
-  unsigned int
-  Body::line_degree(const Point<3> &from, const Point<3> &to) const
-  {
-    const GridIntervals degrees = cells().degrees;
-    const Tensor<1, 3>  d       = placement.vector_to_body(to - from);
-    unsigned int        sum     = 0;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (std::abs(d[c]) > arithmetic::same_position_along * d.norm())
-        sum += degrees[c];
-    return sum;
-  }
-
-
-
-  namespace
-  {
     /// The elements of a body along its axis: their ends, and the element
     /// before one that begins at a cut, with the same corners if no nodes hang.
     class Layers
@@ -295,6 +245,53 @@ namespace lamella
       std::map<std::array<long, 12>, unsigned int> by_end;
     };
   } // namespace
+
+
+
+  BoundingBox<3>
+  Body::bounding_box() const
+  {
+    std::vector<Point<3>> corners;
+    for (unsigned int cell = 0; cell < cells().n; ++cell)
+      for (const Point<3> &corner : corners_of(*this, cell))
+        corners.push_back(corner);
+    return BoundingBox<3>(corners);
+  }
+
+
+
+  std::vector<double>
+  Body::line_breaks(const Point<3> &from, const Point<3> &to) const
+  {
+    BoundingBox<3> around(std::vector<Point<3>>{from, to});
+    around.extend(arithmetic::same_position_across * size());
+    std::vector<double> breaks;
+    for (unsigned int cell = 0; cell < cells().n; ++cell)
+      {
+        const std::vector<Point<3>> corners = corners_of(*this, cell);
+        if (around.get_neighbor_type(BoundingBox<3>(corners)) ==
+            NeighborType::not_neighbors)
+          continue;
+        for (unsigned int normal = 0; normal < 3; ++normal)
+          for (const unsigned int side : {0, 1})
+            add_side_crossing(corners, normal, side, from, to - from, breaks);
+      }
+    return merge_breaks(std::move(breaks));
+  }
+
+
+
+  unsigned int
+  Body::line_degree(const Point<3> &from, const Point<3> &to) const
+  {
+    const GridIntervals degrees = cells().degrees;
+    const Tensor<1, 3>  d       = placement.vector_to_body(to - from);
+    unsigned int        sum     = 0;
+    for (unsigned int c = 0; c < 3; ++c)
+      if (std::abs(d[c]) > arithmetic::same_position_along * d.norm())
+        sum += degrees[c];
+    return sum;
+  }
 
 
 

@@ -3,11 +3,15 @@
 // Functions of a body's rows and element maps: volume integrals, samples.
 
 #include <lamella/base/processes.h>
+#include <lamella/body/body_solver.h>
 #include <lamella/body/cell_grid.h>
 #include <lamella/body/fields.h>
 #include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
+#include <set>
+#include <unordered_map>
 
 namespace lamella
 {
@@ -73,6 +77,59 @@ namespace lamella
             }
           use(locations, weights);
         }
+    }
+
+
+
+    /// Returns the DoFs of all @p rows, ascending.
+    std::vector<DofIndex>
+    dofs_of(const std::vector<std::vector<LinearFunctional>> &rows)
+    {
+      std::set<DofIndex> dofs;
+      for (const auto &at_point : rows)
+        for (const LinearFunctional &row : at_point)
+          for (const auto &entry : row.entries())
+            dofs.insert(entry.first);
+      return {dofs.begin(), dofs.end()};
+    }
+
+
+
+    /// Adds @p mass times the square of @p row to @p block, whose rows are its
+    /// columns; @p place has the number of each of its DoFs.
+    void
+    add_square(const LinearFunctional                           &row,
+               const double                                      mass,
+               const std::unordered_map<DofIndex, unsigned int> &place,
+               StiffnessBlock                                   &block)
+    {
+      for (const auto &[i, weight_i] : row.entries())
+        for (const auto &[j, weight_j] : row.entries())
+          block.values[place.at(i) * block.columns.size() + place.at(j)] +=
+            mass * weight_i * weight_j;
+    }
+
+
+
+    /// Displacements @p u at nodes of @p grid on element @p cell of @p body
+    /// less those of the first node: a translation gives exactly zero.
+    std::vector<Tensor<1, 3>>
+    relative_displacements(const Body        &body,
+                           const CellGrid    &grid,
+                           const unsigned int cell,
+                           const Vector      &u)
+    {
+      std::vector<Location> nodes;
+      for (const Point<3> &unit : grid.nodes())
+        {
+          const Location::Place place{cell, unit};
+          nodes.push_back(
+            {body.position(place), body.ply_at(place).ply, {place}});
+        }
+      std::vector<Tensor<1, 3>> v = body.displacements(nodes, u);
+      for (unsigned int k = nodes.size(); k-- > 0;)
+        v[k] -= v[0];
+      return v;
     }
   } // namespace
 
@@ -187,46 +244,96 @@ namespace lamella
   void
   Body::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
   {
-    Vector share(n_dofs());
-    for_each_cell_by_weight(*this,
-                            acceleration,
-                            [&](const std::vector<Location>     &locations,
-                                const std::vector<Tensor<1, 3>> &forces) {
-                              const auto u = rows(locations, undisplaced);
-                              for (unsigned int q = 0; q < locations.size();
-                                   ++q)
-                                for (unsigned int c = 0; c < 3; ++c)
-                                  u[q][c].add_to(share, forces[q][c]);
-                            });
-    sum_over_processes(share);
-    f += share;
+    const std::vector<Vector> motions = rigid_motions(undisplaced);
+    Vector                    rigid(n_dofs());
+    for (unsigned int c = 0; c < 3; ++c)
+      rigid.add(acceleration[c], motions[c]);
+    add_product_of_blocks(
+      [&](const auto &use) { for_each_mass_block(undisplaced, true, use); },
+      rigid,
+      f);
   }
 
 
 
-  namespace
+  Point<3>
+  Inertia::center() const
   {
-    /// Displacements @p u at nodes of @p grid on element @p cell of @p body
-    /// less those of the first node: a translation gives exactly zero.
-    std::vector<Tensor<1, 3>>
-    relative_displacements(const Body        &body,
-                           const CellGrid    &grid,
-                           const unsigned int cell,
-                           const Vector      &u)
-    {
-      std::vector<Location> nodes;
-      for (const Point<3> &unit : grid.nodes())
-        {
-          const Location::Place place{cell, unit};
-          nodes.push_back(
-            {body.position(place), body.ply_at(place).ply, {place}});
-        }
-      std::vector<Tensor<1, 3>> v = body.displacements(nodes, u);
-      for (unsigned int k = nodes.size(); k-- > 0;)
-        v[k] -= v[0];
-      return v;
-    }
-  } // namespace
+    return mass > 0. ? Point<3>(first / mass) : Point<3>();
+  }
+
+
+
+  // Steiner's theorem: second moments about the center, then their trace.
+  SymmetricTensor<2, 3>
+  Inertia::about_center() const
+  {
+    const SymmetricTensor<2, 3> moments =
+      second - mass * symmetrize(outer_product(center(), center()));
+    return trace(moments) * unit_symmetric_tensor<3>() - moments;
+  }
+
+
+
+  Inertia
+  inertia_of(const Bodies &bodies)
+  {
+    Inertia sum;
+    for (const auto &body : bodies)
+      {
+        const std::vector<double> rho = densities(*body);
+        for_each_cell_by_points(
+          *body,
+          [&](const std::vector<Location> &locations,
+              const std::vector<double>   &weights) {
+            for (unsigned int q = 0; q < locations.size(); ++q)
+              {
+                const Tensor<1, 3> x = locations[q].position;
+                const double       m = weights[q] * rho[locations[q].ply];
+                sum.mass += m;
+                sum.first += m * x;
+                sum.second += m * symmetrize(outer_product(x, x));
+              }
+          });
+      }
+    sum.mass   = Utilities::MPI::sum(sum.mass, communicator());
+    sum.first  = Utilities::MPI::sum(sum.first, communicator());
+    sum.second = Utilities::MPI::sum(sum.second, communicator());
+    return sum;
+  }
+
+
+
+  void
+  Body::for_each_mass_block(const Vector        &u,
+                            const bool           with_values,
+                            const BlockCallback &use) const
+  {
+    const std::vector<double> rho = densities(*this);
+    for_each_cell_by_points(
+      *this,
+      [&](const std::vector<Location> &locations,
+          const std::vector<double>   &weights) {
+        const auto     rows = this->rows(locations, u);
+        StiffnessBlock block;
+        block.rows = block.columns = dofs_of(rows);
+        block.columns_ascend       = true;
+        if (with_values)
+          {
+            std::unordered_map<DofIndex, unsigned int> place;
+            for (unsigned int k = 0; k < block.rows.size(); ++k)
+              place[block.rows[k]] = k;
+            block.values.assign(place.size() * place.size(), 0.);
+            for (unsigned int q = 0; q < locations.size(); ++q)
+              for (const LinearFunctional &row : rows[q])
+                add_square(row,
+                           weights[q] * rho[locations[q].ply],
+                           place,
+                           block);
+          }
+        use(block);
+      });
+  }
 
 
 

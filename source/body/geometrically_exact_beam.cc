@@ -67,6 +67,60 @@ namespace lamella
       std::iota(all.begin(), all.end(), 0);
       return std::vector<std::vector<unsigned int>>(axis.n_nodes(), all);
     }
+
+
+
+    /// Place in a list of fields, and amplitude per unit, of the field whose
+    /// derivative is each of Gamma and kappa; zero if none is.
+    struct FrameFields
+    {
+      FrameFields(const std::vector<unsigned int> &list, const double h)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            set(c, list, translations[c], 1.);
+            set(3 + c, list, rotates_about[c], h * sign_of_rotation[c]);
+          }
+      }
+
+      void
+      set(const unsigned int               c,
+          const std::vector<unsigned int> &list,
+          const unsigned int               field,
+          const double                     by)
+      {
+        const auto found = std::find(list.begin(), list.end(), field);
+        place[c]         = found == list.end() ? 0 : found - list.begin();
+        factor[c]        = found == list.end() ? 0. : by;
+      }
+
+      std::array<unsigned int, n_frame> place{};
+      std::array<double, n_frame>       factor{};
+    };
+
+
+
+    /// Returns the section fields of a unit of each strain in e, one column
+    /// each; @p n_strains are the frame's, @p rigid the leading fields without
+    /// warping. The column of kappa_y^2 / 2 is empty.
+    FieldParts
+    units(const FrameFields &frame,
+          const unsigned int n_fields,
+          const unsigned int rigid,
+          const unsigned int n_strains)
+    {
+      const unsigned int m    = n_fields - rigid;
+      FieldParts         unit = field_parts(n_fields, n_strains + 2 * m);
+      for (unsigned int c = 0; c < n_frame; ++c)
+        unit[FieldPart::derivative](frame.place[c], c) += frame.factor[c];
+      for (unsigned int a = 0; a < m; ++a)
+        {
+          unit[FieldPart::value](rigid + a, n_strains + a)          = 1.;
+          unit[FieldPart::shear_value](rigid + a, n_strains + a)    = 1.;
+          unit[FieldPart::derivative](rigid + a, n_strains + m + a) = 1.;
+        }
+      return unit;
+    }
   } // namespace
 
 
@@ -168,63 +222,6 @@ namespace lamella
         before = list;
       }
   }
-
-
-
-  namespace
-  {
-    /// Place in a list of fields, and amplitude per unit, of the field whose
-    /// derivative is each of Gamma and kappa; zero if none is.
-    struct FrameFields
-    {
-      FrameFields(const std::vector<unsigned int> &list, const double h)
-      {
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            set(c, list, translations[c], 1.);
-            set(3 + c, list, rotates_about[c], h * sign_of_rotation[c]);
-          }
-      }
-
-      void
-      set(const unsigned int               c,
-          const std::vector<unsigned int> &list,
-          const unsigned int               field,
-          const double                     by)
-      {
-        const auto found = std::find(list.begin(), list.end(), field);
-        place[c]         = found == list.end() ? 0 : found - list.begin();
-        factor[c]        = found == list.end() ? 0. : by;
-      }
-
-      std::array<unsigned int, n_frame> place{};
-      std::array<double, n_frame>       factor{};
-    };
-
-
-
-    /// Returns the section fields of a unit of each strain in e, one column
-    /// each; @p n_strains are the frame's, @p rigid the leading fields without
-    /// warping. The column of kappa_y^2 / 2 is empty.
-    FieldParts
-    units(const FrameFields &frame,
-          const unsigned int n_fields,
-          const unsigned int rigid,
-          const unsigned int n_strains)
-    {
-      const unsigned int m    = n_fields - rigid;
-      FieldParts         unit = field_parts(n_fields, n_strains + 2 * m);
-      for (unsigned int c = 0; c < n_frame; ++c)
-        unit[FieldPart::derivative](frame.place[c], c) += frame.factor[c];
-      for (unsigned int a = 0; a < m; ++a)
-        {
-          unit[FieldPart::value](rigid + a, n_strains + a)          = 1.;
-          unit[FieldPart::shear_value](rigid + a, n_strains + a)    = 1.;
-          unit[FieldPart::derivative](rigid + a, n_strains + m + a) = 1.;
-        }
-      return unit;
-    }
-  } // namespace
 
 
 

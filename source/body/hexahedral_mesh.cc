@@ -79,6 +79,143 @@ namespace lamella
     /// The faces of a hexahedron that the edges of a section's cell sweep, in
     /// the order of the edges. Faces 2 and 3 lie in planes of the section.
     constexpr std::array<unsigned int, 4> swept_face{{0, 1, 4, 5}};
+
+
+
+    /// Throws InputError if @p n_cells hexahedra cannot fit in memory.
+    void
+    require_memory(const double       n_cells,
+                   const unsigned int degree,
+                   const double       limit,
+                   const std::string &what)
+    {
+      // Far below what there is inside of a mesh, nodes at its surface have
+      // less: a node for the first, eight for the second degree in each cell,
+      // rows of 40 and 100 entries with all that is kept of each.
+      const double dofs    = 3. * (degree == 1 ? 1. : 8.) * n_cells;
+      const double matrix  = dofs * (degree == 1 ? 40. : 100.) * 24.;
+      const double cells   = 1000. * n_cells;
+      const double needed  = (matrix + cells) / n_processes();
+      const double allowed = available_memory(limit);
+      if (sum_over_machine(needed) > allowed)
+        throw InputError(
+          what,
+          "",
+          "body.too-large: the body has " + to_text(n_cells, 3) +
+            " hexahedra after its refinement, about " + to_text(dofs, 2) +
+            " DoFs, and needs more memory than " + gigabytes(matrix + cells) +
+            ", and " + gigabytes(allowed) + " are available on each machine",
+          "Reduce Refinements, or refine near a point only (Refine near).");
+    }
+
+
+
+    /// Flags cells of @p mesh in @p ball; returns their global number.
+    unsigned int
+    flag_cells(parallel::distributed::Triangulation<3> &mesh,
+               const SolidRefinement::Ball             &ball)
+    {
+      unsigned int flagged = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const BoundingBox<3> box     = cell->bounding_box();
+            Point<3>             nearest = ball.center;
+            for (unsigned int d = 0; d < 3; ++d)
+              nearest[d] = std::min(box.upper_bound(d),
+                                    std::max(box.lower_bound(d), nearest[d]));
+            if (nearest.distance(ball.center) < ball.radius)
+              {
+                cell->set_refine_flag();
+                ++flagged;
+              }
+          }
+      return Utilities::MPI::sum(flagged, communicator());
+    }
+
+
+
+    /// The cells of this process.
+    std::vector<HexahedralMesh::Cell>
+    own_part(const DoFHandler<3> &dof_handler)
+    {
+      std::vector<types::global_dof_index> nodes(
+        dof_handler.get_fe().n_dofs_per_cell());
+      std::vector<HexahedralMesh::Cell> cells;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cells.emplace_back();
+            cells.back().ply = cell->material_id();
+            cell->get_dof_indices(nodes);
+            cells.back().nodes.assign(nodes.begin(), nodes.end());
+            for (const unsigned int f : cell->face_indices())
+              cells.back().sides[f] = cell->face(f)->at_boundary() ?
+                                        int(cell->face(f)->boundary_id()) :
+                                        HexahedralMesh::inside;
+          }
+      return cells;
+    }
+
+
+
+    /// The places of this process's nodes, in their order.
+    std::vector<Point<3>>
+    own_positions(const DoFHandler<3> &dof_handler)
+    {
+      std::map<types::global_dof_index, Point<3>> places;
+      DoFTools::map_dofs_to_support_points(
+        MappingQ<3>(dof_handler.get_fe().degree), dof_handler, places);
+      std::vector<Point<3>> positions;
+      for (const auto node : dof_handler.locally_owned_dofs())
+        positions.push_back(places.at(node));
+      return positions;
+    }
+
+
+
+    /// Puts the parts of all processes one after the other into @p all; numbers
+    /// there of the first of @p own, and of the first beyond it.
+    template <typename T>
+    std::pair<unsigned int, unsigned int>
+    gather_in_order(const std::vector<T> &own, std::vector<T> &all)
+    {
+      std::pair<unsigned int, unsigned int> range;
+      const auto parts = Utilities::MPI::all_gather(communicator(), own);
+      for (unsigned int p = 0; p < parts.size(); ++p)
+        {
+          if (p == this_process())
+            range = {all.size(), all.size() + own.size()};
+          all.insert(all.end(), parts[p].begin(), parts[p].end());
+        }
+      return range;
+    }
+
+
+
+    using HangingLine =
+      std::pair<unsigned int, std::vector<std::pair<unsigned int, double>>>;
+
+    /// The constraints of this process's hanging nodes.
+    std::vector<HangingLine>
+    hanging_lines(const DoFHandler<3> &dof_handler)
+    {
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      Constraints constraints(relevant);
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      constraints.close();
+      std::vector<HangingLine> lines;
+      for (const auto node : dof_handler.locally_owned_dofs())
+        if (constraints.is_constrained(node))
+          {
+            lines.emplace_back(node, 0);
+            for (const auto &[master, weight] :
+                 *constraints.get_constraint_entries(node))
+              lines.back().second.emplace_back(master, weight);
+          }
+      return lines;
+    }
   } // namespace
 
 
@@ -181,62 +318,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// Throws InputError if @p n_cells hexahedra cannot fit in memory.
-    void
-    require_memory(const double       n_cells,
-                   const unsigned int degree,
-                   const double       limit,
-                   const std::string &what)
-    {
-      // Far below what there is inside of a mesh, nodes at its surface have
-      // less: a node for the first, eight for the second degree in each cell,
-      // rows of 40 and 100 entries with all that is kept of each.
-      const double dofs    = 3. * (degree == 1 ? 1. : 8.) * n_cells;
-      const double matrix  = dofs * (degree == 1 ? 40. : 100.) * 24.;
-      const double cells   = 1000. * n_cells;
-      const double needed  = (matrix + cells) / n_processes();
-      const double allowed = available_memory(limit);
-      if (sum_over_machine(needed) > allowed)
-        throw InputError(
-          what,
-          "",
-          "body.too-large: the body has " + to_text(n_cells, 3) +
-            " hexahedra after its refinement, about " + to_text(dofs, 2) +
-            " DoFs, and needs more memory than " + gigabytes(matrix + cells) +
-            ", and " + gigabytes(allowed) + " are available on each machine",
-          "Reduce Refinements, or refine near a point only (Refine near).");
-    }
-
-
-
-    /// Flags cells of @p mesh in @p ball; returns their global number.
-    unsigned int
-    flag_cells(parallel::distributed::Triangulation<3> &mesh,
-               const SolidRefinement::Ball             &ball)
-    {
-      unsigned int flagged = 0;
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            const BoundingBox<3> box     = cell->bounding_box();
-            Point<3>             nearest = ball.center;
-            for (unsigned int d = 0; d < 3; ++d)
-              nearest[d] = std::min(box.upper_bound(d),
-                                    std::max(box.lower_bound(d), nearest[d]));
-            if (nearest.distance(ball.center) < ball.radius)
-              {
-                cell->set_refine_flag();
-                ++flagged;
-              }
-          }
-      return Utilities::MPI::sum(flagged, communicator());
-    }
-  } // namespace
-
-
-
   void
   HexahedralMesh::refine(const SolidRefinement &refinement,
                          const unsigned int     degree,
@@ -262,93 +343,6 @@ namespace lamella
           mesh.execute_coarsening_and_refinement();
         }
   }
-
-
-
-  namespace
-  {
-    /// The cells of this process.
-    std::vector<HexahedralMesh::Cell>
-    own_part(const DoFHandler<3> &dof_handler)
-    {
-      std::vector<types::global_dof_index> nodes(
-        dof_handler.get_fe().n_dofs_per_cell());
-      std::vector<HexahedralMesh::Cell> cells;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            cells.emplace_back();
-            cells.back().ply = cell->material_id();
-            cell->get_dof_indices(nodes);
-            cells.back().nodes.assign(nodes.begin(), nodes.end());
-            for (const unsigned int f : cell->face_indices())
-              cells.back().sides[f] = cell->face(f)->at_boundary() ?
-                                        int(cell->face(f)->boundary_id()) :
-                                        HexahedralMesh::inside;
-          }
-      return cells;
-    }
-
-
-
-    /// The places of this process's nodes, in their order.
-    std::vector<Point<3>>
-    own_positions(const DoFHandler<3> &dof_handler)
-    {
-      std::map<types::global_dof_index, Point<3>> places;
-      DoFTools::map_dofs_to_support_points(
-        MappingQ<3>(dof_handler.get_fe().degree), dof_handler, places);
-      std::vector<Point<3>> positions;
-      for (const auto node : dof_handler.locally_owned_dofs())
-        positions.push_back(places.at(node));
-      return positions;
-    }
-
-
-
-    /// Puts the parts of all processes one after the other into @p all; numbers
-    /// there of the first of @p own, and of the first beyond it.
-    template <typename T>
-    std::pair<unsigned int, unsigned int>
-    gather_in_order(const std::vector<T> &own, std::vector<T> &all)
-    {
-      std::pair<unsigned int, unsigned int> range;
-      const auto parts = Utilities::MPI::all_gather(communicator(), own);
-      for (unsigned int p = 0; p < parts.size(); ++p)
-        {
-          if (p == this_process())
-            range = {all.size(), all.size() + own.size()};
-          all.insert(all.end(), parts[p].begin(), parts[p].end());
-        }
-      return range;
-    }
-
-
-
-    using HangingLine =
-      std::pair<unsigned int, std::vector<std::pair<unsigned int, double>>>;
-
-    /// The constraints of this process's hanging nodes.
-    std::vector<HangingLine>
-    hanging_lines(const DoFHandler<3> &dof_handler)
-    {
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      Constraints constraints(relevant);
-      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-      constraints.close();
-      std::vector<HangingLine> lines;
-      for (const auto node : dof_handler.locally_owned_dofs())
-        if (constraints.is_constrained(node))
-          {
-            lines.emplace_back(node, 0);
-            for (const auto &[master, weight] :
-                 *constraints.get_constraint_entries(node))
-              lines.back().second.emplace_back(master, weight);
-          }
-      return lines;
-    }
-  } // namespace
 
 
 

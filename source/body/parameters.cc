@@ -60,122 +60,14 @@ namespace lamella
         entry.refuse("entry.not-positive: the ball's radius must be positive");
       return ball;
     }
-  } // namespace
 
 
 
-  void
-  SolidParameters::declare(ParameterHandler &prm)
-  {
-    prm.declare_entry(
-      "Refinements",
-      "0",
-      patterns::number(),
-      "For solids: how often all hexahedra (a section cell times an axis "
-      "element each) are divided into eight. No effect on beams.");
-    prm.declare_entry(
-      "Refine near",
-      "",
-      Anything(),
-      "For solids: balls x, y, z: radius: times, with '|' between, in scene "
-      "coordinates. Hexahedra that intersect a ball are divided further, that "
-      "many times. No effect on beams.");
-  }
-
-
-
-  SolidRefinement
-  SolidParameters::parse(const Entries &in, const Placement &placement)
-  {
-    SolidRefinement refinement;
-    const Entry     everywhere = in["Refinements"], near = in["Refine near"];
-    refinement.everywhere = times(everywhere, everywhere.text());
-    for (const std::string &ball : near.items('|'))
-      refinement.balls.push_back(
-        parse_ball(Entry(near.path(), ball), placement));
-    return refinement;
-  }
-
-
-
-  using dealii::ParameterHandler;
-  using dealii::Patterns::Anything;
-
-  namespace
-  {
     // Above it a body could no longer be called held by contact alone.
     constexpr double largest_stabilization = 1e-2;
-  } // namespace
 
 
 
-  void
-  BodyParameters::declare(ParameterHandler &prm)
-  {
-    prm.declare_entry("Section", "", Anything(), "A name of Sections.");
-    prm.declare_entry(
-      "Origin",
-      "0, 0, 0",
-      patterns::numbers(3),
-      "Position, in scene coordinates, of the lower left corner of the section "
-      "(of a mesh file: of its origin) at the start of the axis [length].");
-    prm.declare_entry("Axis",
-                      "0, 1, 0",
-                      patterns::numbers(3),
-                      "Direction of the axis, y of the body.");
-    prm.declare_entry("Up",
-                      "0, 0, 1",
-                      patterns::numbers(3),
-                      "Approximate direction of z of the section.");
-    prm.declare_entry("Length",
-                      "",
-                      patterns::optional(patterns::positive()),
-                      "Of the axis [length].");
-    prm.declare_entry(
-      "Copies",
-      "",
-      patterns::optional(patterns::positive()),
-      "Number of copies of the body, named NAME-1, NAME-2 and so on. NAME in "
-      "On, First or Second means all copies; a contact of NAME with NAME is "
-      "between neighboring copies.");
-    prm.declare_entry("Origin step",
-                      "",
-                      patterns::numbers(),
-                      "Vector from the Origin of one copy to that of the next "
-                      "[length]; default 0, 0, 0.");
-    prm.declare_entry(
-      "Length step",
-      "",
-      patterns::optional(patterns::number()),
-      "Difference in Length of neighboring copies [length]; default 0.");
-    prm.declare_entry(
-      "Stabilization",
-      "auto",
-      patterns::WordOrPattern("auto", patterns::number()),
-      "Stiffness of springs to the ground, as a fraction of E A / L, in "
-      "rigid-body motions that supports do not prevent, for a body that only "
-      "contact constrains (a roller under a force). auto: 1e-6 for a body in "
-      "contact, else 0. Iterations remove the effect of the springs from the "
-      "result. 0: no springs; a body that can move freely is an error.");
-    prm.declare_entry(
-      "Isostatic support",
-      "false",
-      dealii::Patterns::Bool(),
-      "Whether rigid-body motions that no support prevents are removed, true "
-      "or false. If no contact can prevent a motion, the middle of the body "
-      "stays in place and the loads must be in equilibrium. If a contact can, "
-      "springs as of Stabilization = auto act.");
-    prm.enter_subsection("Kinematics");
-    TheoryParameters::declare(prm);
-    AxisParameters::declare(prm);
-    SolidParameters::declare(prm);
-    prm.leave_subsection();
-  }
-
-
-
-  namespace
-  {
     Placement
     parse_placement(const Entries &in)
     {
@@ -228,39 +120,9 @@ namespace lamella
           "Use Axis element = B4, or Theory = TBT.");
       body.refinement = SolidParameters::parse(in, body.placement);
     }
-  } // namespace
 
 
 
-  BodyDescription
-  BodyParameters::parse(ParameterHandler               &prm,
-                        const std::string              &name,
-                        const Entry                    &scene_theory,
-                        const std::vector<std::string> &sections)
-  {
-    const Entries   in(prm, "Body " + name);
-    BodyDescription body;
-    body.name           = name;
-    body.section        = in["Section"].among(sections, "section", "Sections");
-    const double length = in["Length"].positive();
-    body.placement      = parse_placement(in);
-    body.stabilization  = parse_stabilization(in["Stabilization"]);
-    body.is_held        = in["Isostatic support"].boolean();
-    if (body.is_held && body.stabilization.value_or(0.) == 0.)
-      body.stabilization = stabilization_of_contact;
-    prm.enter_subsection("Kinematics");
-    parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
-                     length,
-                     scene_theory,
-                     body);
-    prm.leave_subsection();
-    return body;
-  }
-
-
-
-  namespace
-  {
     void
     check_slenderness(const BodyDescription &body, const SectionMesh &mesh)
     {
@@ -357,6 +219,137 @@ namespace lamella
       return std::make_unique<Beam>(name, section, axis, body.placement);
     }
   } // namespace
+
+
+
+  void
+  SolidParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Refinements",
+      "0",
+      patterns::number(),
+      "For solids: how often all hexahedra (a section cell times an axis "
+      "element each) are divided into eight. No effect on beams.");
+    prm.declare_entry(
+      "Refine near",
+      "",
+      Anything(),
+      "For solids: balls x, y, z: radius: times, with '|' between, in scene "
+      "coordinates. Hexahedra that intersect a ball are divided further, that "
+      "many times. No effect on beams.");
+  }
+
+
+
+  SolidRefinement
+  SolidParameters::parse(const Entries &in, const Placement &placement)
+  {
+    SolidRefinement refinement;
+    const Entry     everywhere = in["Refinements"], near = in["Refine near"];
+    refinement.everywhere = times(everywhere, everywhere.text());
+    for (const std::string &ball : near.items('|'))
+      refinement.balls.push_back(
+        parse_ball(Entry(near.path(), ball), placement));
+    return refinement;
+  }
+
+
+
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
+
+
+  void
+  BodyParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Section", "", Anything(), "A name of Sections.");
+    prm.declare_entry(
+      "Origin",
+      "0, 0, 0",
+      patterns::numbers(3),
+      "Position, in scene coordinates, of the lower left corner of the section "
+      "(of a mesh file: of its origin) at the start of the axis [length].");
+    prm.declare_entry("Axis",
+                      "0, 1, 0",
+                      patterns::numbers(3),
+                      "Direction of the axis, y of the body.");
+    prm.declare_entry("Up",
+                      "0, 0, 1",
+                      patterns::numbers(3),
+                      "Approximate direction of z of the section.");
+    prm.declare_entry("Length",
+                      "",
+                      patterns::optional(patterns::positive()),
+                      "Of the axis [length].");
+    prm.declare_entry(
+      "Copies",
+      "",
+      patterns::optional(patterns::positive()),
+      "Number of copies of the body, named NAME-1, NAME-2 and so on. NAME in "
+      "On, First or Second means all copies; a contact of NAME with NAME is "
+      "between neighboring copies.");
+    prm.declare_entry("Origin step",
+                      "",
+                      patterns::numbers(),
+                      "Vector from the Origin of one copy to that of the next "
+                      "[length]; default 0, 0, 0.");
+    prm.declare_entry(
+      "Length step",
+      "",
+      patterns::optional(patterns::number()),
+      "Difference in Length of neighboring copies [length]; default 0.");
+    prm.declare_entry(
+      "Stabilization",
+      "auto",
+      patterns::WordOrPattern("auto", patterns::number()),
+      "Stiffness of springs to the ground, as a fraction of E A / L, in "
+      "rigid-body motions that supports do not prevent, for a body that only "
+      "contact constrains (a roller under a force). auto: 1e-6 for a body in "
+      "contact, else 0. Iterations remove the effect of the springs from the "
+      "result. 0: no springs; a body that can move freely is an error.");
+    prm.declare_entry(
+      "Isostatic support",
+      "false",
+      dealii::Patterns::Bool(),
+      "Whether rigid-body motions that no support prevents are removed, true "
+      "or false. If no contact can prevent a motion, the middle of the body "
+      "stays in place and the loads must be in equilibrium. If a contact can, "
+      "springs as of Stabilization = auto act.");
+    prm.enter_subsection("Kinematics");
+    TheoryParameters::declare(prm);
+    AxisParameters::declare(prm);
+    SolidParameters::declare(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  BodyDescription
+  BodyParameters::parse(ParameterHandler               &prm,
+                        const std::string              &name,
+                        const Entry                    &scene_theory,
+                        const std::vector<std::string> &sections)
+  {
+    const Entries   in(prm, "Body " + name);
+    BodyDescription body;
+    body.name           = name;
+    body.section        = in["Section"].among(sections, "section", "Sections");
+    const double length = in["Length"].positive();
+    body.placement      = parse_placement(in);
+    body.stabilization  = parse_stabilization(in["Stabilization"]);
+    body.is_held        = in["Isostatic support"].boolean();
+    if (body.is_held && body.stabilization.value_or(0.) == 0.)
+      body.stabilization = stabilization_of_contact;
+    prm.enter_subsection("Kinematics");
+    parse_kinematics(Entries(prm, in.path() + "/Kinematics"),
+                     length,
+                     scene_theory,
+                     body);
+    prm.leave_subsection();
+    return body;
+  }
 
 
 

@@ -389,24 +389,35 @@ namespace lamella
 
 
 
+  // int N_i N_j dV is the same for the three components.
   void
-  Solid::add_weight(const Tensor<1, 3> &acceleration, Vector &f) const
+  Solid::for_each_mass_block(const Vector &,
+                             const bool,
+                             const BlockCallback &use) const
   {
     const std::vector<double> rho = densities(*this);
-    const Tensor<1, 3>        g   = placement.vector_to_body(acceleration);
-    Vector                    share(n_dofs());
     for (const Kind &kind : kinds)
-      if (!kind.own_cells.empty())
+      {
+        if (kind.own_cells.empty())
+          continue;
+        const unsigned int  n = mesh.cells()[kind.cell].nodes.size();
+        std::vector<double> NN(n * n, 0.);
         for (const HexahedronPoint &point :
              element.quadrature_points(nodes_of(kind.cell)))
-          for (const unsigned int cell : kind.own_cells)
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              NN[i * n + j] += point.JxW * point.N[i] * point.N[j];
+        for (const unsigned int cell : kind.own_cells)
+          for (unsigned int c = 0; c < 3; ++c)
             {
-              const double mass = point.JxW * rho[mesh.cells()[cell].ply];
-              const std::vector<DofIndex> dofs = dofs_of(cell);
-              for (unsigned int d = 0; d < dofs.size(); ++d)
-                share[dofs[d]] += mass * point.N[d / 3] * g[d % 3];
+              StiffnessBlock block;
+              for (const unsigned int node : mesh.cells()[cell].nodes)
+                block.rows.push_back(3 * DofIndex(node) + c);
+              block.columns = block.rows;
+              for (const double integral : NN)
+                block.values.push_back(rho[mesh.cells()[cell].ply] * integral);
+              use(block);
             }
-    sum_over_processes(share);
-    f += share;
+      }
   }
 } // namespace lamella

@@ -96,6 +96,238 @@ namespace lamella
                       "write a second subsection." :
                       "Remove one of the two.");
     }
+
+
+
+    /// The scene components of a displacement, each a number or free.
+    std::array<std::optional<double>, 3>
+    parse_components(const Entry &entry)
+    {
+      std::array<std::optional<double>, 3> u{{0., 0., 0.}};
+      if (entry.is_empty())
+        return u;
+      const std::vector<std::string> components = entry.items();
+      if (components.size() != 3)
+        entry.refuse("conditions.count-of-components: write three values, each "
+                     "a number or 'free', as in 0, free, 0");
+      for (unsigned int c = 0; c < 3; ++c)
+        u[c] = components[c] == "free" ?
+                 std::optional<double>() :
+                 std::optional<double>(entry.number(components[c]));
+      if (!u[0] && !u[1] && !u[2])
+        entry.refuse("conditions.all-components-free: all three components are "
+                     "free, so this support constrains nothing",
+                     "Remove the support, or prescribe a component.");
+      return u;
+    }
+
+
+
+    double
+    parse_normal(const Entry               &entry,
+                 const Entry               &components,
+                 const std::vector<Region> &regions)
+    {
+      if (!components.is_empty())
+        entry.refuse("conditions.normal-and-u: Normal displacement and u "
+                     "cannot both be prescribed",
+                     "Remove one of the two.");
+      for (const Region &region : regions)
+        if (region.kind != Region::Kind::surface)
+          entry.refuse(
+            "conditions.normal-without-surface: On names a point, a line or a "
+            "body, and only surfaces have a normal",
+            "Name surfaces in On, as in upper: start, or prescribe u instead.");
+      return entry.number();
+    }
+
+
+
+    /// The rotation and its center of @p support, all else of which is there.
+    void
+    parse_rotation(const Entries &in, Support &support)
+    {
+      const Entry entry = in["Rotation"], about = in["About"];
+      if (entry.is_empty())
+        {
+          if (!about.is_empty())
+            about.refuse(
+              "conditions.about-without-rotation: About is the center of a "
+              "Rotation, but the support has no Rotation",
+              "Remove About, or write Rotation.");
+          return;
+        }
+      if (support.normal)
+        entry.refuse(
+          "conditions.normal-and-rotation: Rotation and Normal displacement "
+          "cannot both be prescribed",
+          "Remove one of the two.");
+      if (!support.u[0] || !support.u[1] || !support.u[2])
+        entry.refuse("conditions.rotation-with-free-u: a Rotation prescribes "
+                     "all displacement components, but some of u are free",
+                     "Write three numbers in u, or remove u.");
+      support.rotation = entry.point();
+      if (!about.is_empty())
+        support.about = about.point();
+    }
+
+
+
+    /// Throws InputError if two of the @p regions of the entry @p on are parts
+    /// of each other: the load would act twice there.
+    void
+    check_no_overlap(const Entry                    &on,
+                     const std::vector<Region>      &regions,
+                     const std::vector<std::string> &bodies)
+    {
+      for (const Region &a : regions)
+        for (const Region &b : regions)
+          if (&a != &b && a.body == b.body && b.kind == Region::Kind::surface &&
+              a.covers(b.surface))
+            on.refuse("conditions.overlapping-surfaces: '" + b.surface +
+                        "' of body '" + bodies[b.body] + "' is part of '" +
+                        a.surface + "', so the load would act twice there",
+                      "Remove one of the two surfaces from On.");
+    }
+
+
+
+    void
+    declare_place_of_load(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "On",
+        "",
+        Anything(),
+        "Region that is loaded: BODY: point, line, body (Temperature only) or "
+        "a surface (left, right, bottom, top, start, end, ends), as in upper: "
+        "top; several with semicolons between.");
+      prm.declare_entry("At",
+                        "",
+                        Anything(),
+                        "Scene coordinates x, y, z of points or of the two "
+                        "ends of a line, as for a support [length].");
+    }
+
+
+
+    void
+    declare_forces(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Force",
+        "",
+        Anything(),
+        "Three components in scene coordinates, expressions of x, y, z "
+        "(muParser) with commas between: a force at a point [force], along a "
+        "line [force/length], on a surface [force/length^2].");
+      prm.declare_entry("Total force",
+                        "",
+                        patterns::numbers(),
+                        "Total force on all surfaces or lines of On, three "
+                        "components in scene coordinates, spread evenly over "
+                        "their area or length [force].");
+      prm.declare_entry(
+        "Pressure",
+        "",
+        Anything(),
+        "Pressure on a surface, against its outward normal: an expression of "
+        "x, y, z [force/length^2]. With Rotations = large, `12, follows` is a "
+        "follower load, normal to the rotated surface and per deformed area; "
+        "without follows it is a dead load.");
+      prm.declare_entry(
+        "Couple",
+        "",
+        patterns::numbers(),
+        "Moment on a surface such as start or end: three components in scene "
+        "coordinates [force x length], applied as tractions that vary linearly "
+        "over the surface and have no resultant force. With Rotations = large "
+        "the tractions rotate, the moment keeps its direction.");
+    }
+
+
+
+    /// Throws InputError unless the regions of @p load, which the entry @p on
+    /// gives, suit what the entry @p what puts there.
+    void
+    check_regions(const Entry &on, const Entry &what, const Load &load)
+    {
+      const bool heats         = !load.temperature.empty(),
+                 needs_surface = load.couple || !load.pressure.empty();
+      for (const Region &region : load.on)
+        {
+          const bool is_body = region.kind == Region::Kind::body;
+          if (heats && !is_body)
+            on.refuse("conditions.temperature-of-part: Temperature acts on "
+                      "whole bodies",
+                      "Write On = NAME: body, with the name of the body. A "
+                      "temperature that varies is an expression, for example "
+                      "50*z.");
+          if (!heats && is_body)
+            on.refuse("conditions.load-on-body: a load other than a "
+                      "Temperature acts on a point, a line or a surface",
+                      "Name a surface in On; for weight use Gravity.");
+          if (needs_surface && region.kind != Region::Kind::surface)
+            what.refuse(
+              "conditions.needs-surface: Pressure and Couple need a surface",
+              "Name a surface in On, or use Force for points and lines.");
+          if (load.couple && region.is_several_surfaces())
+            on.refuse("conditions.couple-on-surfaces: '" + region.surface +
+                        "' names several surfaces, but a Couple acts on one",
+                      "Name one surface: start, end, or a side such as top.");
+        }
+    }
+
+
+
+    const std::string is_follower = "follows";
+
+
+
+    /// Whether @p pressure ends with `, follows`, which is taken off.
+    bool
+    parse_follower(Formula &pressure)
+    {
+      const std::string text  = pressure.text();
+      const std::size_t comma = text.rfind(',');
+      if (comma == std::string::npos ||
+          trimmed(text.substr(comma + 1)) != is_follower)
+        return false;
+      pressure = Formula(trimmed(text.substr(0, comma)));
+      return true;
+    }
+
+
+
+    /// The three components of a moment or a force, @p names.
+    dealii::Tensor<1, 3>
+    parse_vector(const Entry &entry, const std::string &names)
+    {
+      const std::vector<double> n = entry.numbers();
+      if (n.size() != 3)
+        entry.refuse(
+          "conditions.count-of-components: there must be three numbers, " +
+          names + ", but there are " + std::to_string(n.size()) + " here");
+      return dealii::Point<3>(n[0], n[1], n[2]);
+    }
+
+
+
+    /// Throws InputError unless the total @p what can be spread over the
+    /// regions of @p load: there is one measure for all of them.
+    void
+    check_total(const Entry &what, const Load &load)
+    {
+      for (const Region &region : load.on)
+        if (region.kind == Region::Kind::point)
+          what.refuse("conditions.total-force-at-point: a Total force is "
+                      "spread over surfaces or lines, but On names a point",
+                      "Use Force for a point.");
+        else if (region.kind != load.on.front().kind)
+          what.refuse("conditions.mixed-regions: a Total force cannot be "
+                      "spread over both surfaces and lines",
+                      "Write one load for the surfaces and one for the lines.");
+    }
   } // namespace
 
 
@@ -211,83 +443,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// The scene components of a displacement, each a number or free.
-    std::array<std::optional<double>, 3>
-    parse_components(const Entry &entry)
-    {
-      std::array<std::optional<double>, 3> u{{0., 0., 0.}};
-      if (entry.is_empty())
-        return u;
-      const std::vector<std::string> components = entry.items();
-      if (components.size() != 3)
-        entry.refuse("conditions.count-of-components: write three values, each "
-                     "a number or 'free', as in 0, free, 0");
-      for (unsigned int c = 0; c < 3; ++c)
-        u[c] = components[c] == "free" ?
-                 std::optional<double>() :
-                 std::optional<double>(entry.number(components[c]));
-      if (!u[0] && !u[1] && !u[2])
-        entry.refuse("conditions.all-components-free: all three components are "
-                     "free, so this support constrains nothing",
-                     "Remove the support, or prescribe a component.");
-      return u;
-    }
-
-
-
-    double
-    parse_normal(const Entry               &entry,
-                 const Entry               &components,
-                 const std::vector<Region> &regions)
-    {
-      if (!components.is_empty())
-        entry.refuse("conditions.normal-and-u: Normal displacement and u "
-                     "cannot both be prescribed",
-                     "Remove one of the two.");
-      for (const Region &region : regions)
-        if (region.kind != Region::Kind::surface)
-          entry.refuse(
-            "conditions.normal-without-surface: On names a point, a line or a "
-            "body, and only surfaces have a normal",
-            "Name surfaces in On, as in upper: start, or prescribe u instead.");
-      return entry.number();
-    }
-
-
-
-    /// The rotation and its center of @p support, all else of which is there.
-    void
-    parse_rotation(const Entries &in, Support &support)
-    {
-      const Entry entry = in["Rotation"], about = in["About"];
-      if (entry.is_empty())
-        {
-          if (!about.is_empty())
-            about.refuse(
-              "conditions.about-without-rotation: About is the center of a "
-              "Rotation, but the support has no Rotation",
-              "Remove About, or write Rotation.");
-          return;
-        }
-      if (support.normal)
-        entry.refuse(
-          "conditions.normal-and-rotation: Rotation and Normal displacement "
-          "cannot both be prescribed",
-          "Remove one of the two.");
-      if (!support.u[0] || !support.u[1] || !support.u[2])
-        entry.refuse("conditions.rotation-with-free-u: a Rotation prescribes "
-                     "all displacement components, but some of u are free",
-                     "Write three numbers in u, or remove u.");
-      support.rotation = entry.point();
-      if (!about.is_empty())
-        support.about = about.point();
-    }
-  } // namespace
-
-
-
   Support
   SupportParameters::parse(const Entries                  &in,
                            const std::string              &name,
@@ -307,83 +462,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// Throws InputError if two of the @p regions of the entry @p on are parts
-    /// of each other: the load would act twice there.
-    void
-    check_no_overlap(const Entry                    &on,
-                     const std::vector<Region>      &regions,
-                     const std::vector<std::string> &bodies)
-    {
-      for (const Region &a : regions)
-        for (const Region &b : regions)
-          if (&a != &b && a.body == b.body && b.kind == Region::Kind::surface &&
-              a.covers(b.surface))
-            on.refuse("conditions.overlapping-surfaces: '" + b.surface +
-                        "' of body '" + bodies[b.body] + "' is part of '" +
-                        a.surface + "', so the load would act twice there",
-                      "Remove one of the two surfaces from On.");
-    }
-
-
-
-    void
-    declare_place_of_load(ParameterHandler &prm)
-    {
-      prm.declare_entry(
-        "On",
-        "",
-        Anything(),
-        "Region that is loaded: BODY: point, line, body (Temperature only) or "
-        "a surface (left, right, bottom, top, start, end, ends), as in upper: "
-        "top; several with semicolons between.");
-      prm.declare_entry("At",
-                        "",
-                        Anything(),
-                        "Scene coordinates x, y, z of points or of the two "
-                        "ends of a line, as for a support [length].");
-    }
-
-
-
-    void
-    declare_forces(ParameterHandler &prm)
-    {
-      prm.declare_entry(
-        "Force",
-        "",
-        Anything(),
-        "Three components in scene coordinates, expressions of x, y, z "
-        "(muParser) with commas between: a force at a point [force], along a "
-        "line [force/length], on a surface [force/length^2].");
-      prm.declare_entry("Total force",
-                        "",
-                        patterns::numbers(),
-                        "Total force on all surfaces or lines of On, three "
-                        "components in scene coordinates, spread evenly over "
-                        "their area or length [force].");
-      prm.declare_entry(
-        "Pressure",
-        "",
-        Anything(),
-        "Pressure on a surface, against its outward normal: an expression of "
-        "x, y, z [force/length^2]. With Rotations = large, `12, follows` is a "
-        "follower load, normal to the rotated surface and per deformed area; "
-        "without follows it is a dead load.");
-      prm.declare_entry(
-        "Couple",
-        "",
-        patterns::numbers(),
-        "Moment on a surface such as start or end: three components in scene "
-        "coordinates [force x length], applied as tractions that vary linearly "
-        "over the surface and have no resultant force. With Rotations = large "
-        "the tractions rotate, the moment keeps its direction.");
-    }
-  } // namespace
-
-
-
   void
   LoadParameters::declare(ParameterHandler &prm)
   {
@@ -398,93 +476,6 @@ namespace lamella
       "temperature: an expression of x, y, z [K]. It acts in full in each load "
       "step, whatever the load factor.");
   }
-
-
-
-  namespace
-  {
-    /// Throws InputError unless the regions of @p load, which the entry @p on
-    /// gives, suit what the entry @p what puts there.
-    void
-    check_regions(const Entry &on, const Entry &what, const Load &load)
-    {
-      const bool heats         = !load.temperature.empty(),
-                 needs_surface = load.couple || !load.pressure.empty();
-      for (const Region &region : load.on)
-        {
-          const bool is_body = region.kind == Region::Kind::body;
-          if (heats && !is_body)
-            on.refuse("conditions.temperature-of-part: Temperature acts on "
-                      "whole bodies",
-                      "Write On = NAME: body, with the name of the body. A "
-                      "temperature that varies is an expression, for example "
-                      "50*z.");
-          if (!heats && is_body)
-            on.refuse("conditions.load-on-body: a load other than a "
-                      "Temperature acts on a point, a line or a surface",
-                      "Name a surface in On; for weight use Gravity.");
-          if (needs_surface && region.kind != Region::Kind::surface)
-            what.refuse(
-              "conditions.needs-surface: Pressure and Couple need a surface",
-              "Name a surface in On, or use Force for points and lines.");
-          if (load.couple && region.is_several_surfaces())
-            on.refuse("conditions.couple-on-surfaces: '" + region.surface +
-                        "' names several surfaces, but a Couple acts on one",
-                      "Name one surface: start, end, or a side such as top.");
-        }
-    }
-
-
-
-    const std::string is_follower = "follows";
-
-
-
-    /// Whether @p pressure ends with `, follows`, which is taken off.
-    bool
-    parse_follower(Formula &pressure)
-    {
-      const std::string text  = pressure.text();
-      const std::size_t comma = text.rfind(',');
-      if (comma == std::string::npos ||
-          trimmed(text.substr(comma + 1)) != is_follower)
-        return false;
-      pressure = Formula(trimmed(text.substr(0, comma)));
-      return true;
-    }
-
-
-
-    /// The three components of a moment or a force, @p names.
-    dealii::Tensor<1, 3>
-    parse_vector(const Entry &entry, const std::string &names)
-    {
-      const std::vector<double> n = entry.numbers();
-      if (n.size() != 3)
-        entry.refuse(
-          "conditions.count-of-components: there must be three numbers, " +
-          names + ", but there are " + std::to_string(n.size()) + " here");
-      return dealii::Point<3>(n[0], n[1], n[2]);
-    }
-
-
-
-    /// Throws InputError unless the total @p what can be spread over the
-    /// regions of @p load: there is one measure for all of them.
-    void
-    check_total(const Entry &what, const Load &load)
-    {
-      for (const Region &region : load.on)
-        if (region.kind == Region::Kind::point)
-          what.refuse("conditions.total-force-at-point: a Total force is "
-                      "spread over surfaces or lines, but On names a point",
-                      "Use Force for a point.");
-        else if (region.kind != load.on.front().kind)
-          what.refuse("conditions.mixed-regions: a Total force cannot be "
-                      "spread over both surfaces and lines",
-                      "Write one load for the surfaces and one for the lines.");
-    }
-  } // namespace
 
 
 

@@ -40,33 +40,9 @@ namespace lamella
         std::clamp((x - begin) * along / along.norm_square(), 0., 1.);
       return (x - begin - t * along).norm();
     }
-  } // namespace
 
 
 
-  bool
-  Region::has_point_at(const Point<3> &x, const double near) const
-  {
-    if (kind == Kind::line)
-      return distance_to_segment(x, at[0], at[1]) < near;
-    return kind == Kind::point &&
-           std::any_of(at.begin(), at.end(), [&](const Point<3> &point) {
-             return x.distance(point) < near;
-           });
-  }
-
-
-
-  bool
-  Region::is_several_surfaces() const
-  {
-    return kind == Kind::surface && surface_names::is_compound_surface(surface);
-  }
-
-
-
-  namespace
-  {
     std::string
     in_words(const Point<3> &x, const int digits)
     {
@@ -95,6 +71,27 @@ namespace lamella
       return all;
     }
   } // namespace
+
+
+
+  bool
+  Region::has_point_at(const Point<3> &x, const double near) const
+  {
+    if (kind == Kind::line)
+      return distance_to_segment(x, at[0], at[1]) < near;
+    return kind == Kind::point &&
+           std::any_of(at.begin(), at.end(), [&](const Point<3> &point) {
+             return x.distance(point) < near;
+           });
+  }
+
+
+
+  bool
+  Region::is_several_surfaces() const
+  {
+    return kind == Kind::surface && surface_names::is_compound_surface(surface);
+  }
 
 
 

@@ -28,105 +28,9 @@ namespace lamella
     // DoFs that a row eliminates have this of its largest weight or more: those
     // that depend on them are not moved by multiples of that.
     constexpr double stable = 0.1;
-  } // namespace
 
 
 
-  BodyConstraints::BodyConstraints(
-    const Body                              &body,
-    const unsigned int                       index,
-    const std::vector<PrescribedFunctional> &rows)
-    : body(body)
-    , prescribed(rows)
-    , functionals(rows.size())
-  {
-    for (unsigned int r = 0; r < rows.size(); ++r)
-      if (rows[r].row.body == index)
-        functionals[r] =
-          body.kinematic_constraints().n_constraints() == 0 ?
-            rows[r].row.row :
-            rows[r].row.row.reduced(body.kinematic_constraints());
-  }
-
-
-
-  std::vector<std::vector<unsigned int>>
-  BodyConstraints::groups() const
-  {
-    std::vector<DofIndex>     parent(body.n_dofs());
-    std::vector<unsigned int> rank(body.n_dofs(), 0);
-    std::iota(parent.begin(), parent.end(), 0);
-    boost::disjoint_sets<unsigned int *, DofIndex *> sets(rank.data(),
-                                                          parent.data());
-    for (const LinearFunctional &row : functionals)
-      for (const auto &[dof, weight] : row.entries())
-        sets.union_set(row.entries().front().first, dof);
-
-    std::map<DofIndex, std::vector<unsigned int>> by_root;
-    for (unsigned int r = 0; r < functionals.size(); ++r)
-      if (!functionals[r].entries().empty())
-        by_root[sets.find_set(functionals[r].entries().front().first)]
-          .push_back(r);
-    std::vector<std::vector<unsigned int>> groups;
-    for (auto &[root, group] : by_root)
-      groups.push_back(std::move(group));
-    return groups;
-  }
-
-
-
-  bool
-  FunctionalEquation::is_open() const
-  {
-    return !has_pivot() && largest > dependent * at_start;
-  }
-
-
-
-  void
-  FunctionalEquation::find_largest()
-  {
-    largest = 0.;
-    for (const auto &[dof, weight] : entries)
-      largest = std::max(largest, std::abs(weight));
-  }
-
-
-
-  double
-  FunctionalEquation::entry(const DofIndex dof) const
-  {
-    const auto found = entries.find(dof);
-    return found == entries.end() ? 0. : found->second;
-  }
-
-
-
-  std::vector<DofIndex>
-  FunctionalEquation::subtract(const FunctionalEquation &other,
-                               const DofIndex            eliminated,
-                               const double              factor)
-  {
-    std::vector<DofIndex> fresh;
-    for (const auto &[dof, weight] : other.entries)
-      {
-        const auto [place, is_new] = entries.emplace(dof, 0.);
-        place->second -= factor * weight;
-        if (is_new)
-          fresh.push_back(dof);
-        else if (place->second == 0.)
-          entries.erase(place);
-      }
-    entries.erase(eliminated);
-    value -= factor * other.value;
-    find_largest();
-    return fresh;
-  }
-
-
-
-  namespace
-  {
     /// The DoFs in @p equations, coarse levels first.
     std::vector<DofIndex>
     ordered_columns(const Body                            &body,
@@ -256,7 +160,106 @@ namespace lamella
       /// Which equations have an entry of a DoF, or once had. In their order.
       std::map<DofIndex, std::set<FunctionalEquation *>> users;
     };
+
+
+
+    // What is left of the value of a row that depends on others is rounding
+    // below this fraction of the largest value.
+    constexpr double contradiction = arithmetic::dependency_tolerance;
   } // namespace
+
+
+
+  BodyConstraints::BodyConstraints(
+    const Body                              &body,
+    const unsigned int                       index,
+    const std::vector<PrescribedFunctional> &rows)
+    : body(body)
+    , prescribed(rows)
+    , functionals(rows.size())
+  {
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      if (rows[r].row.body == index)
+        functionals[r] =
+          body.kinematic_constraints().n_constraints() == 0 ?
+            rows[r].row.row :
+            rows[r].row.row.reduced(body.kinematic_constraints());
+  }
+
+
+
+  std::vector<std::vector<unsigned int>>
+  BodyConstraints::groups() const
+  {
+    std::vector<DofIndex>     parent(body.n_dofs());
+    std::vector<unsigned int> rank(body.n_dofs(), 0);
+    std::iota(parent.begin(), parent.end(), 0);
+    boost::disjoint_sets<unsigned int *, DofIndex *> sets(rank.data(),
+                                                          parent.data());
+    for (const LinearFunctional &row : functionals)
+      for (const auto &[dof, weight] : row.entries())
+        sets.union_set(row.entries().front().first, dof);
+
+    std::map<DofIndex, std::vector<unsigned int>> by_root;
+    for (unsigned int r = 0; r < functionals.size(); ++r)
+      if (!functionals[r].entries().empty())
+        by_root[sets.find_set(functionals[r].entries().front().first)]
+          .push_back(r);
+    std::vector<std::vector<unsigned int>> groups;
+    for (auto &[root, group] : by_root)
+      groups.push_back(std::move(group));
+    return groups;
+  }
+
+
+
+  bool
+  FunctionalEquation::is_open() const
+  {
+    return !has_pivot() && largest > dependent * at_start;
+  }
+
+
+
+  void
+  FunctionalEquation::find_largest()
+  {
+    largest = 0.;
+    for (const auto &[dof, weight] : entries)
+      largest = std::max(largest, std::abs(weight));
+  }
+
+
+
+  double
+  FunctionalEquation::entry(const DofIndex dof) const
+  {
+    const auto found = entries.find(dof);
+    return found == entries.end() ? 0. : found->second;
+  }
+
+
+
+  std::vector<DofIndex>
+  FunctionalEquation::subtract(const FunctionalEquation &other,
+                               const DofIndex            eliminated,
+                               const double              factor)
+  {
+    std::vector<DofIndex> fresh;
+    for (const auto &[dof, weight] : other.entries)
+      {
+        const auto [place, is_new] = entries.emplace(dof, 0.);
+        place->second -= factor * weight;
+        if (is_new)
+          fresh.push_back(dof);
+        else if (place->second == 0.)
+          entries.erase(place);
+      }
+    entries.erase(eliminated);
+    value -= factor * other.value;
+    find_largest();
+    return fresh;
+  }
 
 
 
@@ -382,15 +385,6 @@ namespace lamella
       transposed->factorize(matrix);
     independent.transposed = transposed;
   }
-
-
-
-  namespace
-  {
-    // What is left of the value of a row that depends on others is rounding
-    // below this fraction of the largest value.
-    constexpr double contradiction = arithmetic::dependency_tolerance;
-  } // namespace
 
 
 

@@ -38,25 +38,9 @@ namespace lamella
           found.push_back(point);
       return found;
     }
-  } // namespace
 
 
 
-  std::vector<SurfacePoint>
-  farthest_points(const Body &body, const std::string &surface)
-  {
-    const std::vector<SurfacePoint> points = body.surface_points(surface);
-    std::vector<SurfacePoint> far = farthest_from(centroid_of(points), points);
-    if (far.size() == 1)
-      for (const SurfacePoint &point : farthest_from(far[0].position, points))
-        far.push_back(point);
-    return far;
-  }
-
-
-
-  namespace
-  {
     /// E A / L.
     double
     axial_stiffness(const Body &body)
@@ -142,6 +126,19 @@ namespace lamella
       return spring;
     }
   } // namespace
+
+
+
+  std::vector<SurfacePoint>
+  farthest_points(const Body &body, const std::string &surface)
+  {
+    const std::vector<SurfacePoint> points = body.surface_points(surface);
+    std::vector<SurfacePoint> far = farthest_from(centroid_of(points), points);
+    if (far.size() == 1)
+      for (const SurfacePoint &point : farthest_from(far[0].position, points))
+        far.push_back(point);
+    return far;
+  }
 
 
 

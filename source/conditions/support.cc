@@ -142,6 +142,98 @@ namespace lamella
                             follower_place(support, region, places[i]),
                             rotation});
     }
+
+
+
+    /// Six rigid motions in words, without components below 1/100.
+    std::string
+    describe(const std::array<double, 6> &motion)
+    {
+      static const std::array<const char *, 6> names{{"translation along x",
+                                                      "translation along y",
+                                                      "translation along z",
+                                                      "rotation about x",
+                                                      "rotation about y",
+                                                      "rotation about z"}};
+      double                                   largest = 0.;
+      for (const double m : motion)
+        largest = std::max(largest, std::abs(m));
+      std::vector<std::string> parts;
+      for (unsigned int m = 0; m < 6; ++m)
+        if (std::abs(motion[m]) > 0.01 * largest)
+          parts.emplace_back(names[m]);
+      return joined(parts, " with ");
+    }
+
+
+
+    /// Combines @p motions so that each has a rotation, or failing that a
+    /// translation, that no other has: those are motions that a user can see.
+    /// (At most six rows in echelon form, which no factorization is.)
+    void
+    reduce_to_echelon(std::vector<std::array<double, 6>> &motions)
+    {
+      unsigned int done = 0;
+      for (const unsigned int m : {3, 4, 5, 0, 1, 2})
+        {
+          const auto largest =
+            std::max_element(motions.begin() + done,
+                             motions.end(),
+                             [m](const auto &a, const auto &b) {
+                               return std::abs(a[m]) < std::abs(b[m]);
+                             });
+          if (largest == motions.end() ||
+              std::abs((*largest)[m]) < arithmetic::dependency_tolerance)
+            continue;
+          std::swap(*largest, motions[done]);
+          const std::array<double, 6> pivot = motions[done];
+          for (unsigned int k = 0; k < motions.size(); ++k)
+            {
+              const double factor = motions[k][m] / pivot[m];
+              if (k != done)
+                for (unsigned int c = 0; c < 6; ++c)
+                  motions[k][c] -= factor * pivot[c];
+            }
+          ++done;
+        }
+    }
+
+
+
+    /// Singular values of six columns, descending, and right singular vectors.
+    struct Folded
+    {
+      std::array<double, 6>      singular_values;
+      std::array<RigidMotion, 6> directions;
+      std::vector<RigidMotion>   rows;
+    };
+
+    /// A Gram matrix would square the conditioning, and a decomposition of all
+    /// rows at once costs their number squared; S V^T of some rows represents
+    /// them.
+    Folded
+    folded(const std::vector<RigidMotion> &rows)
+    {
+      // Six zero rows make the matrix tall enough.
+      LAPACKFullMatrix<double> matrix(rows.size() + 6, 6);
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        for (unsigned int m = 0; m < 6; ++m)
+          matrix(r, m) = rows[r][m];
+      matrix.compute_svd();
+      Folded result;
+      for (unsigned int k = 0; k < 6; ++k)
+        {
+          result.singular_values[k] = matrix.singular_value(k);
+          result.rows.emplace_back();
+          for (unsigned int m = 0; m < 6; ++m)
+            {
+              result.directions[k][m] = matrix.get_svd_vt()(k, m);
+              result.rows[k][m] =
+                result.singular_values[k] * result.directions[k][m];
+            }
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -247,101 +339,6 @@ namespace lamella
       }
     return rows;
   }
-
-
-
-  namespace
-  {
-    /// Six rigid motions in words, without components below 1/100.
-    std::string
-    describe(const std::array<double, 6> &motion)
-    {
-      static const std::array<const char *, 6> names{{"translation along x",
-                                                      "translation along y",
-                                                      "translation along z",
-                                                      "rotation about x",
-                                                      "rotation about y",
-                                                      "rotation about z"}};
-      double                                   largest = 0.;
-      for (const double m : motion)
-        largest = std::max(largest, std::abs(m));
-      std::vector<std::string> parts;
-      for (unsigned int m = 0; m < 6; ++m)
-        if (std::abs(motion[m]) > 0.01 * largest)
-          parts.emplace_back(names[m]);
-      return joined(parts, " with ");
-    }
-
-
-
-    /// Combines @p motions so that each has a rotation, or failing that a
-    /// translation, that no other has: those are motions that a user can see.
-    /// (At most six rows in echelon form, which no factorization is.)
-    void
-    reduce_to_echelon(std::vector<std::array<double, 6>> &motions)
-    {
-      unsigned int done = 0;
-      for (const unsigned int m : {3, 4, 5, 0, 1, 2})
-        {
-          const auto largest =
-            std::max_element(motions.begin() + done,
-                             motions.end(),
-                             [m](const auto &a, const auto &b) {
-                               return std::abs(a[m]) < std::abs(b[m]);
-                             });
-          if (largest == motions.end() ||
-              std::abs((*largest)[m]) < arithmetic::dependency_tolerance)
-            continue;
-          std::swap(*largest, motions[done]);
-          const std::array<double, 6> pivot = motions[done];
-          for (unsigned int k = 0; k < motions.size(); ++k)
-            {
-              const double factor = motions[k][m] / pivot[m];
-              if (k != done)
-                for (unsigned int c = 0; c < 6; ++c)
-                  motions[k][c] -= factor * pivot[c];
-            }
-          ++done;
-        }
-    }
-
-
-
-    /// Singular values of six columns, descending, and right singular vectors.
-    struct Folded
-    {
-      std::array<double, 6>      singular_values;
-      std::array<RigidMotion, 6> directions;
-      std::vector<RigidMotion>   rows;
-    };
-
-    /// A Gram matrix would square the conditioning, and a decomposition of all
-    /// rows at once costs their number squared; S V^T of some rows represents
-    /// them.
-    Folded
-    folded(const std::vector<RigidMotion> &rows)
-    {
-      // Six zero rows make the matrix tall enough.
-      LAPACKFullMatrix<double> matrix(rows.size() + 6, 6);
-      for (unsigned int r = 0; r < rows.size(); ++r)
-        for (unsigned int m = 0; m < 6; ++m)
-          matrix(r, m) = rows[r][m];
-      matrix.compute_svd();
-      Folded result;
-      for (unsigned int k = 0; k < 6; ++k)
-        {
-          result.singular_values[k] = matrix.singular_value(k);
-          result.rows.emplace_back();
-          for (unsigned int m = 0; m < 6; ++m)
-            {
-              result.directions[k][m] = matrix.get_svd_vt()(k, m);
-              result.rows[k][m] =
-                result.singular_values[k] * result.directions[k][m];
-            }
-        }
-      return result;
-    }
-  } // namespace
 
 
 

@@ -89,6 +89,22 @@ namespace lamella
         }
       return true;
     }
+
+
+
+    std::vector<Tensor<1, 3>>
+    displacements(const Body                  &body,
+                  const std::vector<Point<3>> &points,
+                  const Vector                &u,
+                  const std::string           &path)
+    {
+      const auto rows = body.rows(locate_all(body, points, path), undisplaced);
+      std::vector<Tensor<1, 3>> result(points.size());
+      for (unsigned int k = 0; k < points.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[k][c] = rows[k][c](u);
+      return result;
+    }
   } // namespace
 
 
@@ -153,25 +169,6 @@ namespace lamella
           "nodes (Cells across, Axis elements, Axis nodes).");
       }
   }
-
-
-
-  namespace
-  {
-    std::vector<Tensor<1, 3>>
-    displacements(const Body                  &body,
-                  const std::vector<Point<3>> &points,
-                  const Vector                &u,
-                  const std::string           &path)
-    {
-      const auto rows = body.rows(locate_all(body, points, path), undisplaced);
-      std::vector<Tensor<1, 3>> result(points.size());
-      for (unsigned int k = 0; k < points.size(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          result[k][c] = rows[k][c](u);
-      return result;
-    }
-  } // namespace
 
 
 

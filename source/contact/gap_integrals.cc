@@ -175,43 +175,9 @@ namespace lamella
                      t = convected_tangents(before, moved, st, at.normal);
       return (way * then[0]) * t[0] + (way * then[1]) * t[1];
     }
-  } // namespace
 
 
 
-  Tangents
-  tangents_of(const Tensor<1, 3> &n)
-  {
-    Tensor<1, 3> along;
-    along[std::abs(n[1]) > along_y * n.norm() ? 0 : 1] = 1.;
-    return tangents_along(along, n);
-  }
-
-
-
-  // Convection of t_1 with the facet map, then projection normal to n.
-  Tangents
-  convected_tangents(const FacetMap     &before,
-                     const FacetMap     &now,
-                     const Point<2>     &st,
-                     const Tensor<1, 3> &n)
-  {
-    const FacetMap::Place place = before(st), moved = now(st);
-    const Tensor<1, 3>    t1 = tangents_of(before.outward(place))[0];
-    // Contravariant components, X_,a c_a = t_1, convected to x_,a c_a.
-    SymmetricTensor<2, 2> metric;
-    metric[0][0] = place.d_s * place.d_s;
-    metric[0][1] = place.d_s * place.d_t;
-    metric[1][1] = place.d_t * place.d_t;
-    const Tensor<1, 2> c =
-      invert(metric) * Tensor<1, 2>({place.d_s * t1, place.d_t * t1});
-    return tangents_along(c[0] * moved.d_s + c[1] * moved.d_t, n);
-  }
-
-
-
-  namespace
-  {
     /// Sums over the points of a contact, row by row.
     class Sums
     {
@@ -382,7 +348,59 @@ namespace lamella
       at.normal = -hit->normal;
       return at;
     }
+
+
+
+    /// Returns the master point of @p point, which is projected or kept.
+    std::optional<MasterPoint>
+    master_point(const ContactSides &sides,
+                 const bool          on_second,
+                 const MasterPoints  master_points,
+                 const double        search_radius,
+                 GapPoint           &point)
+    {
+      const MeshSurface &slave       = *sides.surface(on_second),
+                        *master      = sides.surface(!on_second);
+      const auto &[facet, st]        = point.slave;
+      const MeshSurface::Facet &from = slave.facets()[facet];
+      const Point<3>            x    = from.map(st).position;
+      const Tensor<1, 3>        n1   = slave.smooth_normal(from, st);
+      return master_points == MasterPoints::paired ?
+               kept(sides, master, point, x, n1, search_radius) :
+               found(sides, master, point, x, n1, search_radius);
+    }
   } // namespace
+
+
+
+  Tangents
+  tangents_of(const Tensor<1, 3> &n)
+  {
+    Tensor<1, 3> along;
+    along[std::abs(n[1]) > along_y * n.norm() ? 0 : 1] = 1.;
+    return tangents_along(along, n);
+  }
+
+
+
+  // Convection of t_1 with the facet map, then projection normal to n.
+  Tangents
+  convected_tangents(const FacetMap     &before,
+                     const FacetMap     &now,
+                     const Point<2>     &st,
+                     const Tensor<1, 3> &n)
+  {
+    const FacetMap::Place place = before(st), moved = now(st);
+    const Tensor<1, 3>    t1 = tangents_of(before.outward(place))[0];
+    // Contravariant components, X_,a c_a = t_1, convected to x_,a c_a.
+    SymmetricTensor<2, 2> metric;
+    metric[0][0] = place.d_s * place.d_s;
+    metric[0][1] = place.d_s * place.d_t;
+    metric[1][1] = place.d_t * place.d_t;
+    const Tensor<1, 2> c =
+      invert(metric) * Tensor<1, 2>({place.d_s * t1, place.d_t * t1});
+    return tangents_along(c[0] * moved.d_s + c[1] * moved.d_t, n);
+  }
 
 
 
@@ -404,30 +422,6 @@ namespace lamella
           result.emplace_back(row, phi[i] * share * point.area);
     return result;
   }
-
-
-
-  namespace
-  {
-    /// Returns the master point of @p point, which is projected or kept.
-    std::optional<MasterPoint>
-    master_point(const ContactSides &sides,
-                 const bool          on_second,
-                 const MasterPoints  master_points,
-                 const double        search_radius,
-                 GapPoint           &point)
-    {
-      const MeshSurface &slave       = *sides.surface(on_second),
-                        *master      = sides.surface(!on_second);
-      const auto &[facet, st]        = point.slave;
-      const MeshSurface::Facet &from = slave.facets()[facet];
-      const Point<3>            x    = from.map(st).position;
-      const Tensor<1, 3>        n1   = slave.smooth_normal(from, st);
-      return master_points == MasterPoints::paired ?
-               kept(sides, master, point, x, n1, search_radius) :
-               found(sides, master, point, x, n1, search_radius);
-    }
-  } // namespace
 
 
 

@@ -58,32 +58,9 @@ namespace lamella
       std::vector<bool>     is_touched;
       std::vector<DofIndex> touched;
     };
-  } // namespace
 
 
 
-  std::vector<BodyFunctional>
-  body_rows(const unsigned int                                index,
-            const DofIndex                                    n_dofs,
-            const std::vector<std::vector<LinearFunctional>> &at,
-            const ConstraintGeometry                         &side)
-  {
-    RowSum                      sum(n_dofs);
-    std::vector<BodyFunctional> rows;
-    for (const ConstraintGeometry::Weights &weights : side.weights)
-      {
-        for (const auto &[k, w] : weights)
-          for (unsigned int c = 0; c < 3; ++c)
-            sum.add(at[k][c], w[c]);
-        rows.push_back({index, sum.take()});
-      }
-    return rows;
-  }
-
-
-
-  namespace
-  {
     // Cosines between a normal and what it is to oppose. Where points touch
     // nothing but the normals tells whether they face each other; points that
     // are apart and lie along the averaged normal do, up to a steep angle.
@@ -174,7 +151,129 @@ namespace lamella
             std::min(result.smallest_offset, (d - (d * n) * n).norm());
         }
     }
+
+
+
+    /// The gap of the slave node @p point; its place has the next number in
+    /// @p result, and that of the place opposite, if that is on a mesh.
+    WeightedGap
+    gap_at(const SurfacePoint &point,
+           const MasterPoint  &facing,
+           const MeshSurface  *master,
+           Gaps               &result)
+    {
+      const SurfaceHit &hit = facing.hit;
+      WeightedGap       gap;
+      gap.node          = point.location;
+      gap.position      = point.position;
+      gap.opposite      = hit.position;
+      gap.normal        = facing.normal;
+      gap.area          = point.area;
+      gap.spacing       = std::sqrt(point.area);
+      gap.gap           = hit.distance;
+      gap.angle         = facing.angle;
+      gap.slave         = {point.normal_modulus, point.area, point.depth};
+      gap.master        = gap.slave;
+      gap.slave_weights = {
+        {static_cast<unsigned int>(result.slave.size()), facing.normal}};
+      result.slave.push_back(point.location);
+      if (master == nullptr)
+        return gap;
+      const MeshSurface::Facet &facet = master->facets()[hit.facet];
+      gap.master         = {facet.normal_modulus, point.area, facet.depth};
+      gap.master_weights = {
+        {static_cast<unsigned int>(result.master.size()), facing.normal}};
+      result.master.push_back(
+        master->body().surface_point(facet.side, hit.st).location);
+      return gap;
+    }
+
+
+
+    std::optional<MasterPoint>
+    master_point_for(const ContactSurfacePair &sides, const SurfacePoint &point)
+    {
+      if (!sides.edge_contact)
+        return find_master_point(*sides.master,
+                                 point.position,
+                                 point.normal,
+                                 sides.search_radius);
+      const auto projection = closest_point_projection(*sides.master_mesh,
+                                                       point.position,
+                                                       point.normal,
+                                                       sides.search_radius,
+                                                       {},
+                                                       min_facing_cosine_edge);
+      if (!projection)
+        return {};
+      MasterPoint at;
+      at.hit    = *projection;
+      at.normal = -projection->normal;
+      // It may be a little beyond the rim, where no place of the body is.
+      for (unsigned int a = 0; a < 2; ++a)
+        at.hit.st[a] = std::clamp(projection->st[a], 0., 1.);
+      at.hit.position =
+        sides.master_mesh->facets()[projection->facet].map(at.hit.st).position;
+      return at;
+    }
+
+
+
+    bool
+    is_in(const Body &body, const BoundingBox<3> &box, const Point<3> &x)
+    {
+      return box.point_inside(x) && !body.locate({x})[0].empty();
+    }
+
+
+
+    /// The first of @p places of which one side is in the body (or the
+    /// obstacle) of the other; null if there is none.
+    const DeepPenetration *
+    first_inside(const ContactPair                  &contact,
+                 const Bodies                       &bodies,
+                 const bool                          on_second,
+                 const std::vector<DeepPenetration> &places)
+    {
+      if (places.empty())
+        return nullptr;
+      const Body
+        &slave = *bodies[(on_second ? contact.second : contact.first).body],
+        &other =
+          *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
+                                                              contact.second)
+                    .body];
+      const BoundingBox<3> box          = slave.bounding_box(),
+                           box_of_other = other.bounding_box();
+      for (const DeepPenetration &place : places)
+        if (is_in(slave, box, place.opposite) ||
+            (contact.obstacle != nullptr ?
+               contains(*contact.obstacle, place.position) :
+               is_in(other, box_of_other, place.position)))
+          return &place;
+      return nullptr;
+    }
   } // namespace
+
+
+
+  std::vector<BodyFunctional>
+  body_rows(const unsigned int                                index,
+            const DofIndex                                    n_dofs,
+            const std::vector<std::vector<LinearFunctional>> &at,
+            const ConstraintGeometry                         &side)
+  {
+    RowSum                      sum(n_dofs);
+    std::vector<BodyFunctional> rows;
+    for (const ConstraintGeometry::Weights &weights : side.weights)
+      {
+        for (const auto &[k, w] : weights)
+          for (unsigned int c = 0; c < 3; ++c)
+            sum.add(at[k][c], w[c]);
+        rows.push_back({index, sum.take()});
+      }
+    return rows;
+  }
 
 
 
@@ -254,74 +353,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// The gap of the slave node @p point; its place has the next number in
-    /// @p result, and that of the place opposite, if that is on a mesh.
-    WeightedGap
-    gap_at(const SurfacePoint &point,
-           const MasterPoint  &facing,
-           const MeshSurface  *master,
-           Gaps               &result)
-    {
-      const SurfaceHit &hit = facing.hit;
-      WeightedGap       gap;
-      gap.node          = point.location;
-      gap.position      = point.position;
-      gap.opposite      = hit.position;
-      gap.normal        = facing.normal;
-      gap.area          = point.area;
-      gap.spacing       = std::sqrt(point.area);
-      gap.gap           = hit.distance;
-      gap.angle         = facing.angle;
-      gap.slave         = {point.normal_modulus, point.area, point.depth};
-      gap.master        = gap.slave;
-      gap.slave_weights = {
-        {static_cast<unsigned int>(result.slave.size()), facing.normal}};
-      result.slave.push_back(point.location);
-      if (master == nullptr)
-        return gap;
-      const MeshSurface::Facet &facet = master->facets()[hit.facet];
-      gap.master         = {facet.normal_modulus, point.area, facet.depth};
-      gap.master_weights = {
-        {static_cast<unsigned int>(result.master.size()), facing.normal}};
-      result.master.push_back(
-        master->body().surface_point(facet.side, hit.st).location);
-      return gap;
-    }
-
-
-
-    std::optional<MasterPoint>
-    master_point_for(const ContactSurfacePair &sides, const SurfacePoint &point)
-    {
-      if (!sides.edge_contact)
-        return find_master_point(*sides.master,
-                                 point.position,
-                                 point.normal,
-                                 sides.search_radius);
-      const auto projection = closest_point_projection(*sides.master_mesh,
-                                                       point.position,
-                                                       point.normal,
-                                                       sides.search_radius,
-                                                       {},
-                                                       min_facing_cosine_edge);
-      if (!projection)
-        return {};
-      MasterPoint at;
-      at.hit    = *projection;
-      at.normal = -projection->normal;
-      // It may be a little beyond the rim, where no place of the body is.
-      for (unsigned int a = 0; a < 2; ++a)
-        at.hit.st[a] = std::clamp(projection->st[a], 0., 1.);
-      at.hit.position =
-        sides.master_mesh->facets()[projection->facet].map(at.hit.st).position;
-      return at;
-    }
-  } // namespace
-
-
-
   Gaps
   pair_node_to_surface(const ContactSurfacePair        &sides,
                        const std::vector<SurfacePoint> &points)
@@ -383,46 +414,6 @@ namespace lamella
       }
     return cells;
   }
-
-
-
-  namespace
-  {
-    bool
-    is_in(const Body &body, const BoundingBox<3> &box, const Point<3> &x)
-    {
-      return box.point_inside(x) && !body.locate({x})[0].empty();
-    }
-
-
-
-    /// The first of @p places of which one side is in the body (or the
-    /// obstacle) of the other; null if there is none.
-    const DeepPenetration *
-    first_inside(const ContactPair                  &contact,
-                 const Bodies                       &bodies,
-                 const bool                          on_second,
-                 const std::vector<DeepPenetration> &places)
-    {
-      if (places.empty())
-        return nullptr;
-      const Body
-        &slave = *bodies[(on_second ? contact.second : contact.first).body],
-        &other =
-          *bodies[(on_second || contact.obstacle != nullptr ? contact.first :
-                                                              contact.second)
-                    .body];
-      const BoundingBox<3> box          = slave.bounding_box(),
-                           box_of_other = other.bounding_box();
-      for (const DeepPenetration &place : places)
-        if (is_in(slave, box, place.opposite) ||
-            (contact.obstacle != nullptr ?
-               contains(*contact.obstacle, place.position) :
-               is_in(other, box_of_other, place.position)))
-          return &place;
-      return nullptr;
-    }
-  } // namespace
 
 
 

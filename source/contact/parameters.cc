@@ -42,73 +42,9 @@ namespace lamella
                         "Penalty in force/length per node, as in the paper. "
                         "Unused with Penalty = auto.");
     }
-  } // namespace
 
 
 
-  void
-  ContactParameters::declare(ParameterHandler &prm)
-  {
-    prm.declare_entry("First",
-                      "",
-                      Anything(),
-                      "First contact surface, BODY: SURFACE. Its outward "
-                      "normal is the contact normal.");
-    prm.declare_entry(
-      "Second",
-      "",
-      Anything(),
-      "Second contact surface, BODY: SURFACE, or the name of an obstacle. The "
-      "contact force on this side is reported.");
-    prm.declare_entry(
-      "Discretization",
-      name_of(Discretization::automatic),
-      selection<Discretization>(),
-      "node to node: constraints between nodes that face each other; node to "
-      "surface: between the nodes of one side and their projections onto the "
-      "other; surface to surface: gaps averaged around the nodes of one side, "
-      "as in mortar methods; edge to surface: between the nodes at the ends of "
-      "one body and the other surface; line to roller: along the line of a "
-      "beam that is nearest to a cylinder across the beam, also as it moves; "
-      "auto: node to node if all facing nodes match, line to roller if the "
-      "roller is smaller than the elements (doc/theory/contact.md), else "
-      "surface to surface, with edge to surface at ends that press.");
-    prm.declare_entry("Slave side",
-                      name_of(SlaveSide::automatic),
-                      selection<SlaveSide>(),
-                      "Slave (nonmortar) side, whose nodes have the gap "
-                      "constraints; auto: the side with the finer mesh (edge "
-                      "to surface: first). Unused with node to node.");
-    prm.declare_entry("Search distance",
-                      "auto",
-                      patterns::WordOrPattern("auto", patterns::positive()),
-                      "Largest distance along the normal at which points are "
-                      "paired [length]; auto: the length of the smaller body.");
-    prm.declare_entry(
-      "Overclosure",
-      name_of(Overclosure::resolve),
-      selection<Overclosure>(),
-      "Treatment of bodies that overlap at the start: resolve (contact "
-      "forces push them apart, an interference fit), adjust (the overlap is "
-      "subtracted from the gaps, without strain), or error.");
-    declare_enforcement(prm);
-    prm.declare_entry("Tolerance",
-                      "1e-6",
-                      patterns::positive(),
-                      "Largest tangential offset of two nodes that are paired, "
-                      "divided by the square root of the tributary area.");
-    prm.declare_entry(
-      "Friction",
-      "none",
-      patterns::WordOrPattern("none", patterns::optional(patterns::number())),
-      "Coefficient mu of Coulomb friction: shear tractions are at most mu "
-      "times the pressure, and equal to it under slip; none: no friction.");
-  }
-
-
-
-  namespace
-  {
     Region
     parse_surface(const Entry &entry, const std::vector<std::string> &bodies)
     {
@@ -275,7 +211,107 @@ namespace lamella
       if (contact.slave_side == SlaveSide::second)
         in["Slave side"].refuse(rule, "Use first, or auto.");
     }
+
+
+
+    /// The unit vector along what stands there.
+    Tensor<1, 3>
+    parse_direction(const Entry &entry)
+    {
+      const Tensor<1, 3> direction = entry.point();
+      if (!(direction.norm() > 0.))
+        entry.refuse("contact.zero-direction: the direction must not be the "
+                     "zero vector; write, for example, 0, 0, 1");
+      return direction / direction.norm();
+    }
+
+
+
+    /// Force, in place of u; sets the index @p body of its DoF.
+    void
+    parse_force(const Entries &in, const unsigned int body, Obstacle &obstacle)
+    {
+      const Entry force = in["Force"];
+      if (force.is_empty())
+        return;
+      obstacle.force = force.point();
+      obstacle.body  = body;
+      if (!(obstacle.force.norm() > 0.))
+        force.refuse("contact.zero-force: Force must not be the zero vector, "
+                     "since the obstacle is guided along it",
+                     "Remove Force, or write a force, as in 0, 0, -500.");
+      if (obstacle.displacement.norm() > 0.)
+        force.refuse("contact.force-and-displacement: Force and u exclude each "
+                     "other: the displacement under a Force is unknown",
+                     "Remove u, or remove Force.");
+      if (obstacle.shape == Obstacle::Shape::plane &&
+          !(obstacle.force * obstacle.direction > 0.))
+        force.refuse("contact.force-away: the force on the plane does not "
+                     "press it against bodies (Force . Normal is not positive)",
+                     "Reverse Force, or let Normal point towards the bodies.");
+    }
   } // namespace
+
+
+
+  void
+  ContactParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("First",
+                      "",
+                      Anything(),
+                      "First contact surface, BODY: SURFACE. Its outward "
+                      "normal is the contact normal.");
+    prm.declare_entry(
+      "Second",
+      "",
+      Anything(),
+      "Second contact surface, BODY: SURFACE, or the name of an obstacle. The "
+      "contact force on this side is reported.");
+    prm.declare_entry(
+      "Discretization",
+      name_of(Discretization::automatic),
+      selection<Discretization>(),
+      "node to node: constraints between nodes that face each other; node to "
+      "surface: between the nodes of one side and their projections onto the "
+      "other; surface to surface: gaps averaged around the nodes of one side, "
+      "as in mortar methods; edge to surface: between the nodes at the ends of "
+      "one body and the other surface; line to roller: along the line of a "
+      "beam that is nearest to a cylinder across the beam, also as it moves; "
+      "auto: node to node if all facing nodes match, line to roller if the "
+      "roller is smaller than the elements (doc/theory/contact.md), else "
+      "surface to surface, with edge to surface at ends that press.");
+    prm.declare_entry("Slave side",
+                      name_of(SlaveSide::automatic),
+                      selection<SlaveSide>(),
+                      "Slave (nonmortar) side, whose nodes have the gap "
+                      "constraints; auto: the side with the finer mesh (edge "
+                      "to surface: first). Unused with node to node.");
+    prm.declare_entry("Search distance",
+                      "auto",
+                      patterns::WordOrPattern("auto", patterns::positive()),
+                      "Largest distance along the normal at which points are "
+                      "paired [length]; auto: the length of the smaller body.");
+    prm.declare_entry(
+      "Overclosure",
+      name_of(Overclosure::resolve),
+      selection<Overclosure>(),
+      "Treatment of bodies that overlap at the start: resolve (contact "
+      "forces push them apart, an interference fit), adjust (the overlap is "
+      "subtracted from the gaps, without strain), or error.");
+    declare_enforcement(prm);
+    prm.declare_entry("Tolerance",
+                      "1e-6",
+                      patterns::positive(),
+                      "Largest tangential offset of two nodes that are paired, "
+                      "divided by the square root of the tributary area.");
+    prm.declare_entry(
+      "Friction",
+      "none",
+      patterns::WordOrPattern("none", patterns::optional(patterns::number())),
+      "Coefficient mu of Coulomb friction: shear tractions are at most mu "
+      "times the pressure, and equal to it under slip; none: no friction.");
+  }
 
 
 
@@ -351,48 +387,6 @@ namespace lamella
       "balance Force times the load factor (Factors).");
     HistoryParameters::declare(prm);
   }
-
-
-
-  namespace
-  {
-    /// The unit vector along what stands there.
-    Tensor<1, 3>
-    parse_direction(const Entry &entry)
-    {
-      const Tensor<1, 3> direction = entry.point();
-      if (!(direction.norm() > 0.))
-        entry.refuse("contact.zero-direction: the direction must not be the "
-                     "zero vector; write, for example, 0, 0, 1");
-      return direction / direction.norm();
-    }
-
-
-
-    /// Force, in place of u; sets the index @p body of its DoF.
-    void
-    parse_force(const Entries &in, const unsigned int body, Obstacle &obstacle)
-    {
-      const Entry force = in["Force"];
-      if (force.is_empty())
-        return;
-      obstacle.force = force.point();
-      obstacle.body  = body;
-      if (!(obstacle.force.norm() > 0.))
-        force.refuse("contact.zero-force: Force must not be the zero vector, "
-                     "since the obstacle is guided along it",
-                     "Remove Force, or write a force, as in 0, 0, -500.");
-      if (obstacle.displacement.norm() > 0.)
-        force.refuse("contact.force-and-displacement: Force and u exclude each "
-                     "other: the displacement under a Force is unknown",
-                     "Remove u, or remove Force.");
-      if (obstacle.shape == Obstacle::Shape::plane &&
-          !(obstacle.force * obstacle.direction > 0.))
-        force.refuse("contact.force-away: the force on the plane does not "
-                     "press it against bodies (Force . Normal is not positive)",
-                     "Reverse Force, or let Normal point towards the bodies.");
-    }
-  } // namespace
 
 
 

@@ -62,53 +62,9 @@ namespace lamella
                  arithmetic::same_in_element * along.norm_square();
       });
     }
-  } // namespace
 
 
 
-  std::optional<EndPenetration>
-  deepest_node(const ContactSides &paired,
-               const ContactSides &now,
-               const double        search_radius,
-               const bool          of_ends)
-  {
-    std::optional<EndPenetration> deepest;
-    for (const bool second : {false, true})
-      {
-        const MeshSurface &other = *paired.surface(!second),
-                          &moved = *now.surface(!second);
-        const auto nodes_of      = [&](const ContactSides &sides) {
-          return of_ends ? sides.end_points(second) : sides.points(second);
-        };
-        const auto nodes = nodes_of(paired), are = nodes_of(now),
-                   other_ends = paired.end_points(!second);
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          {
-            const auto projection =
-              nearest_projection(other, nodes[k], search_radius);
-            if (!projection ||
-                (of_ends && is_at_end(other, *projection, other_ends)))
-              continue;
-            const Tensor<1, 3> approach =
-              (moved.facets()[projection->facet].map(projection->st).position -
-               projection->position) -
-              (are[k].position - nodes[k].position);
-            const double depth =
-              projection->normal * approach - projection->distance;
-            if (depth > (deepest ? deepest->depth : 0.))
-              deepest = {second,
-                         depth,
-                         other.facets()[projection->facet].depth,
-                         {projection->facet, projection->st}};
-          }
-      }
-    return deepest;
-  }
-
-
-
-  namespace
-  {
     /// Vector across the axis to a point, and whether the axis is ahead there.
     struct Beside
     {
@@ -151,39 +107,9 @@ namespace lamella
           std::max(size, map(st).position.distance(map({0., 0.}).position));
       return std::clamp(std::ceil(size / longest), 2., most);
     }
-  } // namespace
 
 
 
-  bool
-  passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after)
-  {
-    const Obstacle &roller = before.roller;
-    if (roller.shape != Obstacle::Shape::cylinder)
-      return false;
-    for (unsigned int f = 0; f < before.surface.facets().size(); ++f)
-      {
-        const FacetMap &from = before.surface.facets()[f].map,
-                       &to   = after.surface.facets()[f].map;
-        const unsigned int n = parts_of(from, 0.5 * roller.radius);
-        for (unsigned int i = 0; i <= n; ++i)
-          for (unsigned int j = 0; j <= n; ++j)
-            {
-              const Point<2> st(double(i) / n, double(j) / n);
-              const Beside   was = beside(roller, from, st),
-                           is    = beside(after.roller, to, st);
-              if (was.is_ahead && !is.is_ahead &&
-                  chord_distance(was.r, is.r) < roller.radius)
-                return true;
-            }
-      }
-    return false;
-  }
-
-
-
-  namespace
-  {
     /// The longest way from one of @p before to the same of @p after.
     double
     largest_displacement_between(const std::vector<SurfacePoint> &before,
@@ -256,6 +182,74 @@ namespace lamella
       double way = 0., least = std::numeric_limits<double>::max(), most = 0.;
     };
   } // namespace
+
+
+
+  std::optional<EndPenetration>
+  deepest_node(const ContactSides &paired,
+               const ContactSides &now,
+               const double        search_radius,
+               const bool          of_ends)
+  {
+    std::optional<EndPenetration> deepest;
+    for (const bool second : {false, true})
+      {
+        const MeshSurface &other = *paired.surface(!second),
+                          &moved = *now.surface(!second);
+        const auto nodes_of      = [&](const ContactSides &sides) {
+          return of_ends ? sides.end_points(second) : sides.points(second);
+        };
+        const auto nodes = nodes_of(paired), are = nodes_of(now),
+                   other_ends = paired.end_points(!second);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          {
+            const auto projection =
+              nearest_projection(other, nodes[k], search_radius);
+            if (!projection ||
+                (of_ends && is_at_end(other, *projection, other_ends)))
+              continue;
+            const Tensor<1, 3> approach =
+              (moved.facets()[projection->facet].map(projection->st).position -
+               projection->position) -
+              (are[k].position - nodes[k].position);
+            const double depth =
+              projection->normal * approach - projection->distance;
+            if (depth > (deepest ? deepest->depth : 0.))
+              deepest = {second,
+                         depth,
+                         other.facets()[projection->facet].depth,
+                         {projection->facet, projection->st}};
+          }
+      }
+    return deepest;
+  }
+
+
+
+  bool
+  passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after)
+  {
+    const Obstacle &roller = before.roller;
+    if (roller.shape != Obstacle::Shape::cylinder)
+      return false;
+    for (unsigned int f = 0; f < before.surface.facets().size(); ++f)
+      {
+        const FacetMap &from = before.surface.facets()[f].map,
+                       &to   = after.surface.facets()[f].map;
+        const unsigned int n = parts_of(from, 0.5 * roller.radius);
+        for (unsigned int i = 0; i <= n; ++i)
+          for (unsigned int j = 0; j <= n; ++j)
+            {
+              const Point<2> st(double(i) / n, double(j) / n);
+              const Beside   was = beside(roller, from, st),
+                           is    = beside(after.roller, to, st);
+              if (was.is_ahead && !is.is_ahead &&
+                  chord_distance(was.r, is.r) < roller.radius)
+                return true;
+            }
+      }
+    return false;
+  }
 
 
 

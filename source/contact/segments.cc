@@ -18,6 +18,43 @@ namespace lamella
     {
       return a[0] * b[1] - a[1] * b[0];
     }
+
+
+
+    /// Gauss points of the square collapsed onto the triangle.
+    Quadrature<2>
+    collapsed_rule(const unsigned int degree)
+    {
+      const QGauss<1>       gauss(degree / 2 + 2);
+      std::vector<Point<2>> points;
+      std::vector<double>   weights;
+      for (unsigned int i = 0; i < gauss.size(); ++i)
+        for (unsigned int j = 0; j < gauss.size(); ++j)
+          {
+            const double u = gauss.point(i)[0];
+            points.emplace_back(u, (1. - u) * gauss.point(j)[0]);
+            weights.push_back((1. - u) * gauss.weight(i) * gauss.weight(j));
+          }
+      return {points, weights};
+    }
+
+
+
+    // Relative to the area of the piece that is cut.
+    constexpr double sliver = 1e-11;
+
+    // Facets that look less than this against the direction of projection (a
+    // cosine) are seen from the side.
+    constexpr double edge_on = 0.1;
+
+
+
+    void
+    make_counterclockwise(Polygon &polygon)
+    {
+      if (area(polygon) < 0.)
+        std::reverse(polygon.begin(), polygon.end());
+    }
   } // namespace
 
 
@@ -90,27 +127,6 @@ namespace lamella
   }
 
 
-  namespace
-  {
-    /// Gauss points of the square collapsed onto the triangle.
-    Quadrature<2>
-    collapsed_rule(const unsigned int degree)
-    {
-      const QGauss<1>       gauss(degree / 2 + 2);
-      std::vector<Point<2>> points;
-      std::vector<double>   weights;
-      for (unsigned int i = 0; i < gauss.size(); ++i)
-        for (unsigned int j = 0; j < gauss.size(); ++j)
-          {
-            const double u = gauss.point(i)[0];
-            points.emplace_back(u, (1. - u) * gauss.point(j)[0]);
-            weights.push_back((1. - u) * gauss.weight(i) * gauss.weight(j));
-          }
-      return {points, weights};
-    }
-  } // namespace
-
-
 
   const Quadrature<2> &
   triangle_rule(const unsigned int degree)
@@ -127,27 +143,6 @@ namespace lamella
                  Quadrature<2>(QWitherdenVincentSimplex<2>(degree / 2 + 1)))
       .first->second;
   }
-
-
-
-  namespace
-  {
-    // Relative to the area of the piece that is cut.
-    constexpr double sliver = 1e-11;
-
-    // Facets that look less than this against the direction of projection (a
-    // cosine) are seen from the side.
-    constexpr double edge_on = 0.1;
-
-
-
-    void
-    make_counterclockwise(Polygon &polygon)
-    {
-      if (area(polygon) < 0.)
-        std::reverse(polygon.begin(), polygon.end());
-    }
-  } // namespace
 
 
 

@@ -120,6 +120,80 @@ namespace lamella
       return {k,
               (nodes.point(k + 1) - t) / (nodes.point(k + 1) - nodes.point(k))};
     }
+
+
+
+    /// A node with rows of its own, and its neighbor along a line.
+    struct LineNode
+    {
+      Point<3>                    position;
+      std::set<unsigned int>      rows;
+      std::optional<unsigned int> next;
+      bool                        has_previous = false;
+    };
+
+    using LineNodes = std::map<unsigned int, LineNode>;
+
+
+
+    /// The nodes of @p facet that have rows of their own.
+    void
+    add_nodes(const SlaveSurface::Facet &facet, LineNodes &nodes)
+    {
+      const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(facet.degree_s),
+                              &t = GaussLobattoBasis::of_degree(facet.degree_t);
+      for (unsigned int k = 0; k < facet.nodes.size(); ++k)
+        if (facet.rows[k].size() == 1 && facet.rows[k][0].second == 1.)
+          {
+            LineNode &node = nodes[facet.nodes[k]];
+            node.position =
+              facet.map({s.point(k % s.size()), t.point(k / s.size())})
+                .position;
+            node.rows.insert(facet.rows[k][0].first);
+          }
+    }
+
+
+
+    /// Links those of @p facet that follow each other on a line of its grid, if
+    /// @p order of two places is not 0: 1 if the second comes after the first.
+    void
+    link(const SlaveSurface::Facet                                    &facet,
+         const std::function<int(const Point<3> &, const Point<3> &)> &order,
+         LineNodes                                                    &nodes)
+    {
+      const unsigned int n = facet.degree_s + 1, m = facet.degree_t + 1;
+      const auto         link_line = [&](const unsigned int begin,
+                                 const unsigned int step,
+                                 const unsigned int count) {
+        std::optional<unsigned int> last;
+        for (unsigned int k = 0; k < count; ++k)
+          {
+            const unsigned int here = facet.nodes[begin + k * step];
+            const auto         node = nodes.find(here);
+            if (node == nodes.end())
+              continue;
+            if (last)
+              {
+                const int way =
+                  order(nodes.at(*last).position, node->second.position);
+                const unsigned int from = way > 0 ? *last : here,
+                                   to   = way > 0 ? here : *last;
+                if (way != 0 && !nodes.at(from).next &&
+                    !nodes.at(to).has_previous)
+                  {
+                    nodes.at(from).next       = to;
+                    nodes.at(to).has_previous = true;
+                  }
+              }
+            last = here;
+          }
+      };
+      for (unsigned int j = 0; j < m; ++j)
+        link_line(j * n, 1, n);
+      for (unsigned int i = 0; i < n; ++i)
+        link_line(i, n, m);
+    }
   } // namespace
 
 
@@ -265,83 +339,6 @@ namespace lamella
       }
     return nearest;
   }
-
-
-
-  namespace
-  {
-    /// A node with rows of its own, and its neighbor along a line.
-    struct LineNode
-    {
-      Point<3>                    position;
-      std::set<unsigned int>      rows;
-      std::optional<unsigned int> next;
-      bool                        has_previous = false;
-    };
-
-    using LineNodes = std::map<unsigned int, LineNode>;
-
-
-
-    /// The nodes of @p facet that have rows of their own.
-    void
-    add_nodes(const SlaveSurface::Facet &facet, LineNodes &nodes)
-    {
-      const GaussLobattoBasis &s = GaussLobattoBasis::of_degree(facet.degree_s),
-                              &t = GaussLobattoBasis::of_degree(facet.degree_t);
-      for (unsigned int k = 0; k < facet.nodes.size(); ++k)
-        if (facet.rows[k].size() == 1 && facet.rows[k][0].second == 1.)
-          {
-            LineNode &node = nodes[facet.nodes[k]];
-            node.position =
-              facet.map({s.point(k % s.size()), t.point(k / s.size())})
-                .position;
-            node.rows.insert(facet.rows[k][0].first);
-          }
-    }
-
-
-
-    /// Links those of @p facet that follow each other on a line of its grid, if
-    /// @p order of two places is not 0: 1 if the second comes after the first.
-    void
-    link(const SlaveSurface::Facet                                    &facet,
-         const std::function<int(const Point<3> &, const Point<3> &)> &order,
-         LineNodes                                                    &nodes)
-    {
-      const unsigned int n = facet.degree_s + 1, m = facet.degree_t + 1;
-      const auto         link_line = [&](const unsigned int begin,
-                                 const unsigned int step,
-                                 const unsigned int count) {
-        std::optional<unsigned int> last;
-        for (unsigned int k = 0; k < count; ++k)
-          {
-            const unsigned int here = facet.nodes[begin + k * step];
-            const auto         node = nodes.find(here);
-            if (node == nodes.end())
-              continue;
-            if (last)
-              {
-                const int way =
-                  order(nodes.at(*last).position, node->second.position);
-                const unsigned int from = way > 0 ? *last : here,
-                                   to   = way > 0 ? here : *last;
-                if (way != 0 && !nodes.at(from).next &&
-                    !nodes.at(to).has_previous)
-                  {
-                    nodes.at(from).next       = to;
-                    nodes.at(to).has_previous = true;
-                  }
-              }
-            last = here;
-          }
-      };
-      for (unsigned int j = 0; j < m; ++j)
-        link_line(j * n, 1, n);
-      for (unsigned int i = 0; i < n; ++i)
-        link_line(i, n, m);
-    }
-  } // namespace
 
 
 

@@ -60,22 +60,9 @@ namespace lamella
         }
       return result;
     }
-  } // namespace
 
 
 
-  Scene
-  bisected(Scene scene, const std::vector<ElementError> &marked)
-  {
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      scene.bodies[b].axis = bisected_axis(scene.bodies[b].axis, b, marked);
-    return scene;
-  }
-
-
-
-  namespace
-  {
     /// Returns those of @p elements to be refined, by their errors per DoF,
     /// until the others have at most @p left and 1 - @p share of all.
     std::vector<ElementError>
@@ -99,43 +86,9 @@ namespace lamella
       elements.resize(n);
       return elements;
     }
-  } // namespace
 
 
 
-  std::optional<std::vector<ElementError>>
-  marked_elements(const Scene                   &scene,
-                  const std::vector<GoalResult> &goals,
-                  const double                   left,
-                  const double                   share)
-  {
-    if (pairs_nodes(scene))
-      return std::nullopt;
-    std::vector<ElementError> marked;
-    const auto is_marked = [&marked](const ElementError &element) {
-      return std::any_of(marked.begin(),
-                         marked.end(),
-                         [&element](const ElementError &other) {
-                           return other.body == element.body &&
-                                  other.begin == element.begin;
-                         });
-    };
-    for (const GoalResult &goal : goals)
-      {
-        if (!goal.local)
-          return std::nullopt;
-        for (const ElementError &element : worst_elements(
-               goal.local->elements, share, left * goal.allowed_error()))
-          if (!is_marked(element))
-            marked.push_back(element);
-      }
-    return marked;
-  }
-
-
-
-  namespace
-  {
     /// Returns the distances from the start of @p beam, body number @p number,
     /// of supported points, lines and ends.
     std::vector<double>
@@ -189,6 +142,47 @@ namespace lamella
         }
     }
   } // namespace
+
+
+
+  Scene
+  bisected(Scene scene, const std::vector<ElementError> &marked)
+  {
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      scene.bodies[b].axis = bisected_axis(scene.bodies[b].axis, b, marked);
+    return scene;
+  }
+
+
+
+  std::optional<std::vector<ElementError>>
+  marked_elements(const Scene                   &scene,
+                  const std::vector<GoalResult> &goals,
+                  const double                   left,
+                  const double                   share)
+  {
+    if (pairs_nodes(scene))
+      return std::nullopt;
+    std::vector<ElementError> marked;
+    const auto is_marked = [&marked](const ElementError &element) {
+      return std::any_of(marked.begin(),
+                         marked.end(),
+                         [&element](const ElementError &other) {
+                           return other.body == element.body &&
+                                  other.begin == element.begin;
+                         });
+    };
+    for (const GoalResult &goal : goals)
+      {
+        if (!goal.local)
+          return std::nullopt;
+        for (const ElementError &element : worst_elements(
+               goal.local->elements, share, left * goal.allowed_error()))
+          if (!is_marked(element))
+            marked.push_back(element);
+      }
+    return marked;
+  }
 
 
 

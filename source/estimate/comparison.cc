@@ -21,6 +21,51 @@ namespace lamella
       return has_source(scene, source) &&
              scene.solve.rotations != Rotations::large;
     }
+
+
+
+    /// Raises the mesh part of the bar of @p goal to at least twice its change
+    /// @p missed by short elements at supports. Contact parts are added.
+    void
+    raise_at_supports(const double missed,
+                      const double safety,
+                      GoalResult  &goal)
+    {
+      const double whole = safety * missed;
+      goal.least         = std::abs(whole);
+      if (!(goal.least > goal.bar))
+        return;
+      goal.bar      = goal.least;
+      goal.estimate = missed;
+      for (auto &[source, share] : goal.shares)
+        if (source == name_of(Source::axis))
+          share = whole;
+    }
+
+
+
+    /// Returns the goals of @p run with bars by @p recipe, or the reason why
+    /// its models fail: this must not discard the results of the run.
+    GoalBars
+    bars_by_recipe(const Simulation    &run,
+                   const Recipe        &recipe,
+                   std::ostream        &out,
+                   ModelCache          &cache,
+                   const EstimateRules &rules)
+    {
+      out << "Error bars, from " << recipe.from << ":" << std::endl;
+      GoalBars      bars{{}, "", recipe.from};
+      const Outcome outcome = outcome_of([&] {
+        bars.goals = Comparison(run, recipe, out, cache, rules).goals();
+      });
+      if (outcome.status != 0)
+        {
+          const std::string why = strip_period(trimmed(outcome.message));
+          out << "  failed: " << why << "." << std::endl;
+          bars.missing_reason = recipe.from + " have no result (" + why + ")";
+        }
+      return bars;
+    }
   } // namespace
 
 
@@ -130,29 +175,6 @@ namespace lamella
         add(Source::path, rules.safety * change, rules.of_path * change);
       }
   }
-
-
-
-  namespace
-  {
-    /// Raises the mesh part of the bar of @p goal to at least twice its change
-    /// @p missed by short elements at supports. Contact parts are added.
-    void
-    raise_at_supports(const double missed,
-                      const double safety,
-                      GoalResult  &goal)
-    {
-      const double whole = safety * missed;
-      goal.least         = std::abs(whole);
-      if (!(goal.least > goal.bar))
-        return;
-      goal.bar      = goal.least;
-      goal.estimate = missed;
-      for (auto &[source, share] : goal.shares)
-        if (source == name_of(Source::axis))
-          share = whole;
-    }
-  } // namespace
 
 
 
@@ -283,34 +305,6 @@ namespace lamella
       }
     return goals;
   }
-
-
-
-  namespace
-  {
-    /// Returns the goals of @p run with bars by @p recipe, or the reason why
-    /// its models fail: this must not discard the results of the run.
-    GoalBars
-    bars_by_recipe(const Simulation    &run,
-                   const Recipe        &recipe,
-                   std::ostream        &out,
-                   ModelCache          &cache,
-                   const EstimateRules &rules)
-    {
-      out << "Error bars, from " << recipe.from << ":" << std::endl;
-      GoalBars      bars{{}, "", recipe.from};
-      const Outcome outcome = outcome_of([&] {
-        bars.goals = Comparison(run, recipe, out, cache, rules).goals();
-      });
-      if (outcome.status != 0)
-        {
-          const std::string why = strip_period(trimmed(outcome.message));
-          out << "  failed: " << why << "." << std::endl;
-          bars.missing_reason = recipe.from + " have no result (" + why + ")";
-        }
-      return bars;
-    }
-  } // namespace
 
 
 

@@ -179,13 +179,14 @@ namespace lamella
                    stabilization,
                    is_held,
                    has_finite_rotations,
+                   has_inertia,
                    refinement]     = body;
       const auto &[theories, ends] = pieces;
       return name + " " + section + " " + describe(theory) +
              describe(theories) + describe(ends) + describe(axis) +
              (stabilization ? describe(*stabilization) : "") +
              (is_held ? "held " : "") + (has_finite_rotations ? "turns " : "") +
-             describe(refinement);
+             (has_inertia ? "has inertia " : "") + describe(refinement);
     }
 
 
@@ -259,7 +260,7 @@ namespace lamella
                  cuts,
                  measures,
                  strength,
-                 find_first_failure,
+                 find,
                  support_references,
                  contact_references,
                  write_vtu,

@@ -361,7 +361,7 @@ namespace lamella
     scene.lines.clear();
     scene.cuts.clear();
     scene.strength.criteria.clear();
-    scene.find_first_failure = false;
+    scene.find.first_failure = false;
     scene.write_vtu          = false;
     return scene;
   }

@@ -48,6 +48,48 @@ namespace lamella
         return Component{Quantity::stress, Frame::ply, n - of_ply};
       return std::nullopt;
     }
+
+
+
+    /// Returns the beams of a model by the numbers of its bodies.
+    std::vector<const Beam *>
+    beams_in(const Simulation &simulation)
+    {
+      return beams_of(simulation.model().structure().bodies());
+    }
+
+
+
+    /// Returns @p u of one model on the nodes of another; bodies other than
+    /// beams are identical in both.
+    BlockVector
+    moved(const Simulation &from, const BlockVector &u, const Simulation &to)
+    {
+      BlockVector result  = to.model().structure().zero();
+      const auto  sources = beams_in(from), targets = beams_in(to);
+      for (unsigned int b = 0; b < sources.size(); ++b)
+        if (sources[b] != nullptr)
+          result.block(b) = transferred(*sources[b], u.block(b), *targets[b]);
+        else
+          result.block(b) = u.block(b);
+      return result;
+    }
+
+
+
+    /// Returns the size of the resultant on the second side of contact
+    /// @p contact, from the forces of all rows.
+    double
+    resultant(const BuiltScene          &model,
+              const unsigned int         contact,
+              const std::vector<double> &forces)
+    {
+      const auto           of_rows = model.rows().of_contact(contact, forces);
+      dealii::Tensor<1, 3> sum;
+      for (unsigned int k = 0; k < of_rows.size(); ++k)
+        sum += of_rows[k] * model.interfaces()[contact].points[k].normal;
+      return sum.norm();
+    }
   } // namespace
 
 
@@ -247,51 +289,6 @@ namespace lamella
       }
     return result;
   }
-
-
-
-  namespace
-  {
-    /// Returns the beams of a model by the numbers of its bodies.
-    std::vector<const Beam *>
-    beams_in(const Simulation &simulation)
-    {
-      return beams_of(simulation.model().structure().bodies());
-    }
-
-
-
-    /// Returns @p u of one model on the nodes of another; bodies other than
-    /// beams are identical in both.
-    BlockVector
-    moved(const Simulation &from, const BlockVector &u, const Simulation &to)
-    {
-      BlockVector result  = to.model().structure().zero();
-      const auto  sources = beams_in(from), targets = beams_in(to);
-      for (unsigned int b = 0; b < sources.size(); ++b)
-        if (sources[b] != nullptr)
-          result.block(b) = transferred(*sources[b], u.block(b), *targets[b]);
-        else
-          result.block(b) = u.block(b);
-      return result;
-    }
-
-
-
-    /// Returns the size of the resultant on the second side of contact
-    /// @p contact, from the forces of all rows.
-    double
-    resultant(const BuiltScene          &model,
-              const unsigned int         contact,
-              const std::vector<double> &forces)
-    {
-      const auto           of_rows = model.rows().of_contact(contact, forces);
-      dealii::Tensor<1, 3> sum;
-      for (unsigned int k = 0; k < of_rows.size(); ++k)
-        sum += of_rows[k] * model.interfaces()[contact].points[k].normal;
-      return sum.norm();
-    }
-  } // namespace
 
 
 

@@ -117,41 +117,9 @@ namespace lamella
       bar.shares = {{axis, part(1, of_axis)}, {section, part(0, of_section)}};
       return bar;
     }
-  } // namespace
 
 
 
-  Recipe
-  coarser_model_recipe(const Simulation &run, const EstimateRules &rules)
-  {
-    Recipe recipe;
-    recipe.from = "poorer models";
-    for (const BodyDescription &body : run.model().scene().bodies)
-      if (!is_layerwise(body, rules.min_degree))
-        {
-          recipe.unavailable = "body " + body.name + " is no beam of LE-" +
-                               std::to_string(rules.min_degree) + " or more";
-          return recipe;
-        }
-    const auto poorer = [](const Scene &scene) {
-      return with_lower_degree(with_halved_axes(scene));
-    };
-    const Scene one   = poorer(for_estimates(run));
-    recipe.models     = {{"one degree less, half the axis", one},
-                         {"two degrees less, a quarter of it", poorer(one)}};
-    recipe.of_contact = 0;
-    recipe.has_surpluses =
-      Surpluses::unavailable_reason(run, rules.min_degree).empty();
-    recipe.bar = [rules](const ComparedValues &goal) {
-      return bar_by_coarser_models(goal, rules);
-    };
-    return recipe;
-  }
-
-
-
-  namespace
-  {
     /// Comparison with a model that differs in one error source.
     struct SourceChange
     {
@@ -209,56 +177,9 @@ namespace lamella
                "" :
                "no body is of SV-N";
     }
-  } // namespace
 
 
 
-  Recipe
-  single_source_recipe(const Simulation &run, const EstimateRules &rules)
-  {
-    Recipe recipe;
-    recipe.from        = "models that differ in one source each";
-    recipe.unavailable = reason_for_other_sources(run.model().scene());
-    if (!recipe.unavailable.empty())
-      return recipe;
-    const Scene                 scene       = for_estimates(run);
-    const std::vector<BodySize> sizes       = sizes_of(run.model());
-    const bool                  is_to_finer = !scene.goals.tolerances.empty();
-    const bool is_low = any_body(scene, [&rules](const BodyDescription &body) {
-      return body.theory.has_responses() &&
-             body.theory.section_order < rules.min_order;
-    });
-    std::vector<SourceChange> changes;
-    const auto                add = [&](const Source source,
-                         const bool   finer,
-                         const Scene &coarser,
-                         const double factor) {
-      changes.push_back({source, finer, finer ? rules.safety : factor});
-      recipe.models.push_back(
-        {std::string(finer ? "richer" : "poorer") + " in " + name_of(source),
-         finer ? enriched(scene, source, sizes) : coarser,
-         finer && source == Source::axis});
-    };
-    add(Source::axis, is_to_finer, with_halved_axes(scene), rules.of_axis);
-    add(Source::fields,
-        is_to_finer,
-        with_fewer_waves(scene, rules.fewer_waves),
-        rules.safety);
-    add(Source::section,
-        is_to_finer && is_low,
-        with_lower_section_order(scene),
-        rules.safety);
-    recipe.of_contact = 2;
-    recipe.bar        = [changes, rules](const ComparedValues &goal) {
-      return bar_by_source(changes, goal, rules);
-    };
-    return recipe;
-  }
-
-
-
-  namespace
-  {
     bool
     is_layerwise_only(const BodyDescription &body)
     {
@@ -350,6 +271,79 @@ namespace lamella
       return bar;
     }
   } // namespace
+
+
+
+  Recipe
+  coarser_model_recipe(const Simulation &run, const EstimateRules &rules)
+  {
+    Recipe recipe;
+    recipe.from = "poorer models";
+    for (const BodyDescription &body : run.model().scene().bodies)
+      if (!is_layerwise(body, rules.min_degree))
+        {
+          recipe.unavailable = "body " + body.name + " is no beam of LE-" +
+                               std::to_string(rules.min_degree) + " or more";
+          return recipe;
+        }
+    const auto poorer = [](const Scene &scene) {
+      return with_lower_degree(with_halved_axes(scene));
+    };
+    const Scene one   = poorer(for_estimates(run));
+    recipe.models     = {{"one degree less, half the axis", one},
+                         {"two degrees less, a quarter of it", poorer(one)}};
+    recipe.of_contact = 0;
+    recipe.has_surpluses =
+      Surpluses::unavailable_reason(run, rules.min_degree).empty();
+    recipe.bar = [rules](const ComparedValues &goal) {
+      return bar_by_coarser_models(goal, rules);
+    };
+    return recipe;
+  }
+
+
+
+  Recipe
+  single_source_recipe(const Simulation &run, const EstimateRules &rules)
+  {
+    Recipe recipe;
+    recipe.from        = "models that differ in one source each";
+    recipe.unavailable = reason_for_other_sources(run.model().scene());
+    if (!recipe.unavailable.empty())
+      return recipe;
+    const Scene                 scene       = for_estimates(run);
+    const std::vector<BodySize> sizes       = sizes_of(run.model());
+    const bool                  is_to_finer = !scene.goals.tolerances.empty();
+    const bool is_low = any_body(scene, [&rules](const BodyDescription &body) {
+      return body.theory.has_responses() &&
+             body.theory.section_order < rules.min_order;
+    });
+    std::vector<SourceChange> changes;
+    const auto                add = [&](const Source source,
+                         const bool   finer,
+                         const Scene &coarser,
+                         const double factor) {
+      changes.push_back({source, finer, finer ? rules.safety : factor});
+      recipe.models.push_back(
+        {std::string(finer ? "richer" : "poorer") + " in " + name_of(source),
+         finer ? enriched(scene, source, sizes) : coarser,
+         finer && source == Source::axis});
+    };
+    add(Source::axis, is_to_finer, with_halved_axes(scene), rules.of_axis);
+    add(Source::fields,
+        is_to_finer,
+        with_fewer_waves(scene, rules.fewer_waves),
+        rules.safety);
+    add(Source::section,
+        is_to_finer && is_low,
+        with_lower_section_order(scene),
+        rules.safety);
+    recipe.of_contact = 2;
+    recipe.bar        = [changes, rules](const ComparedValues &goal) {
+      return bar_by_source(changes, goal, rules);
+    };
+    return recipe;
+  }
 
 
 

@@ -48,48 +48,9 @@ namespace lamella
                         "shear along the fiber with tension and with "
                         "compression, and likewise across the fiber.");
     }
-  } // namespace
 
 
 
-  void
-  MaterialParameters::declare(ParameterHandler &prm)
-  {
-    prm.declare_entry("Library",
-                      "",
-                      Anything(),
-                      "A built-in material: " + joined(library_materials()) +
-                        ". Converted to the stresses of Units.");
-    prm.declare_entry(
-      "Engineering constants",
-      "",
-      patterns::numbers(),
-      "Orthotropic material: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23, in "
-      "stresses of the scene; 1 is along the fiber, 3 normal to the ply.");
-    prm.declare_entry(
-      "Isotropic",
-      "",
-      patterns::numbers(),
-      "Isotropic material: E, nu, with E in stresses of the scene.");
-    prm.declare_entry(
-      "Density",
-      "",
-      patterns::optional(patterns::number()),
-      "Density, for Gravity: kg/m^3 in m, N, and t/mm^3 in mm, N. Other units: "
-      "the mass that force and length of the scene make with seconds.");
-    prm.declare_entry(
-      "Thermal expansion",
-      "",
-      patterns::numbers(),
-      "Thermal expansion, strain per kelvin, for the Temperature of a load: "
-      "one number, or three for the axes 1, 2 and 3; may be negative.");
-    declare_strengths(prm);
-  }
-
-
-
-  namespace
-  {
     Material
     parse_library(const Entry &entry, const Units &units)
     {
@@ -127,12 +88,9 @@ namespace lamella
                      std::to_string(n.size()));
       return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// As many numbers above zero as @p names says; none if it is empty.
     std::vector<double>
     parse_positive(const Entry &entry, const std::vector<std::string> &names)
@@ -283,6 +241,42 @@ namespace lamella
       return elastic;
     }
   } // namespace
+
+
+
+  void
+  MaterialParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Library",
+                      "",
+                      Anything(),
+                      "A built-in material: " + joined(library_materials()) +
+                        ". Converted to the stresses of Units.");
+    prm.declare_entry(
+      "Engineering constants",
+      "",
+      patterns::numbers(),
+      "Orthotropic material: E1, E2, E3, G12, G13, G23, nu12, nu13, nu23, in "
+      "stresses of the scene; 1 is along the fiber, 3 normal to the ply.");
+    prm.declare_entry(
+      "Isotropic",
+      "",
+      patterns::numbers(),
+      "Isotropic material: E, nu, with E in stresses of the scene.");
+    prm.declare_entry(
+      "Density",
+      "",
+      patterns::optional(patterns::number()),
+      "Density, for Gravity: kg/m^3 in m, N, and t/mm^3 in mm, N. Other units: "
+      "the mass that force and length of the scene make with seconds.");
+    prm.declare_entry(
+      "Thermal expansion",
+      "",
+      patterns::numbers(),
+      "Thermal expansion, strain per kelvin, for the Temperature of a load: "
+      "one number, or three for the axes 1, 2 and 3; may be negative.");
+    declare_strengths(prm);
+  }
 
 
 

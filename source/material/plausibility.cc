@@ -24,57 +24,9 @@ namespace lamella
              " means stresses in " + units.stress + "; check that " + what +
              " in this unit";
     }
-  } // namespace
 
 
 
-  std::pair<const char *, double>
-  largest_modulus(const Material &material)
-  {
-    const EngineeringConstants &c = material.elastic;
-    return std::max({Named("E1", c.E1), Named("E2", c.E2), Named("E3", c.E3)},
-                    [](const Named &a, const Named &b) {
-                      return a.second < b.second;
-                    });
-  }
-
-
-
-  std::string
-  moduli_warning(const std::string &name,
-                 const Material    &material,
-                 const Units       &units)
-  {
-    // Of soft foams and of diamond, in pascals.
-    constexpr double softest = 1e6, stiffest = 2e12;
-    if (units.stress.empty())
-      return "";
-    const EngineeringConstants &c = material.elastic;
-    // Cores may be softer in their plane.
-    const bool is_soft =
-      largest_modulus(material).second < softest * units.pascal;
-    std::vector<std::string> odd;
-    for (const auto &[what, modulus] : {Named("E1", c.E1),
-                                        Named("E2", c.E2),
-                                        Named("E3", c.E3),
-                                        Named("G12", c.G12),
-                                        Named("G13", c.G13),
-                                        Named("G23", c.G23)})
-      if ((is_soft && modulus < softest * units.pascal) ||
-          modulus > stiffest * units.pascal)
-        odd.push_back(std::string(what) + " = " + to_text(modulus) + " " +
-                      units.stress);
-    if (odd.empty())
-      return "";
-    return "material.modulus-out-of-range: material " + name +
-           ": moduli of solids lie between 1 MPa and 2 TPa, but here " +
-           joined(odd) + remedy("the moduli are", units);
-  }
-
-
-
-  namespace
-  {
     /// Quotient of two named numbers.
     struct Ratio
     {
@@ -214,6 +166,51 @@ namespace lamella
              ". Steel has 12e-6";
     }
   } // namespace
+
+
+
+  std::pair<const char *, double>
+  largest_modulus(const Material &material)
+  {
+    const EngineeringConstants &c = material.elastic;
+    return std::max({Named("E1", c.E1), Named("E2", c.E2), Named("E3", c.E3)},
+                    [](const Named &a, const Named &b) {
+                      return a.second < b.second;
+                    });
+  }
+
+
+
+  std::string
+  moduli_warning(const std::string &name,
+                 const Material    &material,
+                 const Units       &units)
+  {
+    // Of soft foams and of diamond, in pascals.
+    constexpr double softest = 1e6, stiffest = 2e12;
+    if (units.stress.empty())
+      return "";
+    const EngineeringConstants &c = material.elastic;
+    // Cores may be softer in their plane.
+    const bool is_soft =
+      largest_modulus(material).second < softest * units.pascal;
+    std::vector<std::string> odd;
+    for (const auto &[what, modulus] : {Named("E1", c.E1),
+                                        Named("E2", c.E2),
+                                        Named("E3", c.E3),
+                                        Named("G12", c.G12),
+                                        Named("G13", c.G13),
+                                        Named("G23", c.G23)})
+      if ((is_soft && modulus < softest * units.pascal) ||
+          modulus > stiffest * units.pascal)
+        odd.push_back(std::string(what) + " = " + to_text(modulus) + " " +
+                      units.stress);
+    if (odd.empty())
+      return "";
+    return "material.modulus-out-of-range: material " + name +
+           ": moduli of solids lie between 1 MPa and 2 TPa, but here " +
+           joined(odd) + remedy("the moduli are", units);
+  }
 
 
 

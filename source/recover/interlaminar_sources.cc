@@ -97,6 +97,11 @@ namespace lamella
         }
       return {first, last};
     }
+
+
+
+    // Of Sampled.
+    constexpr unsigned int s_xx = 0, s_yy = 1, s_xy = 2, g_xz = 3, g_yz = 4;
   } // namespace
 
 
@@ -274,14 +279,6 @@ namespace lamella
       }
     return shares;
   }
-
-
-
-  namespace
-  {
-    // Of Sampled.
-    constexpr unsigned int s_xx = 0, s_yy = 1, s_xy = 2, g_xz = 3, g_yz = 4;
-  } // namespace
 
 
 

@@ -29,6 +29,45 @@ namespace lamella
         for (unsigned int c = 0; c < 6; ++c)
           (*part)[c] = values[k++];
     }
+
+
+
+    /// The mean edges of the element @p cell, in columns.
+    Tensor<2, 3>
+    edges(const Body &body, const unsigned int cell)
+    {
+      Tensor<2, 3> result;
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          const Point<3> unit = GeometryInfo<3>::unit_cell_vertex(v);
+          const Point<3> x    = body.position({cell, unit});
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int d = 0; d < 3; ++d)
+              result[c][d] += (unit[d] > 0. ? 0.25 : -0.25) * x[c];
+        }
+      return result;
+    }
+
+
+
+    /// Whether the columns of @p a and @p b have the same set of directions.
+    bool
+    same_directions(const Tensor<2, 3> &a, const Tensor<2, 3> &b)
+    {
+      const Tensor<2, 3> map = invert(a) * b;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          double       largest = 0.;
+          unsigned int n       = 0;
+          for (unsigned int c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(map[c][d]));
+          for (unsigned int c = 0; c < 3; ++c)
+            n += std::abs(map[c][d]) > arithmetic::parallel_sine * largest;
+          if (n > 1)
+            return false;
+        }
+      return true;
+    }
   } // namespace
 
 
@@ -346,48 +385,6 @@ namespace lamella
       }
     return result;
   }
-
-
-
-  namespace
-  {
-    /// The mean edges of the element @p cell, in columns.
-    Tensor<2, 3>
-    edges(const Body &body, const unsigned int cell)
-    {
-      Tensor<2, 3> result;
-      for (unsigned int v = 0; v < 8; ++v)
-        {
-          const Point<3> unit = GeometryInfo<3>::unit_cell_vertex(v);
-          const Point<3> x    = body.position({cell, unit});
-          for (unsigned int c = 0; c < 3; ++c)
-            for (unsigned int d = 0; d < 3; ++d)
-              result[c][d] += (unit[d] > 0. ? 0.25 : -0.25) * x[c];
-        }
-      return result;
-    }
-
-
-
-    /// Whether the columns of @p a and @p b have the same set of directions.
-    bool
-    same_directions(const Tensor<2, 3> &a, const Tensor<2, 3> &b)
-    {
-      const Tensor<2, 3> map = invert(a) * b;
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          double       largest = 0.;
-          unsigned int n       = 0;
-          for (unsigned int c = 0; c < 3; ++c)
-            largest = std::max(largest, std::abs(map[c][d]));
-          for (unsigned int c = 0; c < 3; ++c)
-            n += std::abs(map[c][d]) > arithmetic::parallel_sine * largest;
-          if (n > 1)
-            return false;
-        }
-      return true;
-    }
-  } // namespace
 
 
 

@@ -225,6 +225,22 @@ namespace lamella
         result.push_back(one.text());
       return result;
     }
+
+
+
+    /// The place of @p name among @p names of @p kind.
+    unsigned int
+    place_of(const std::string              &kind,
+             const std::string              &name,
+             const std::vector<std::string> &names)
+    {
+      const auto place = std::find(names.begin(), names.end(), name);
+      if (place == names.end())
+        throw InputError("recover.unknown-name: The results have no " + kind +
+                         " '" + name + "'. The names are " + joined(names) +
+                         ".");
+      return place - names.begin();
+    }
   } // namespace
 
 
@@ -272,25 +288,6 @@ namespace lamella
       }
     return worst;
   }
-
-
-
-  namespace
-  {
-    /// The place of @p name among @p names of @p kind.
-    unsigned int
-    place_of(const std::string              &kind,
-             const std::string              &name,
-             const std::vector<std::string> &names)
-    {
-      const auto place = std::find(names.begin(), names.end(), name);
-      if (place == names.end())
-        throw InputError("recover.unknown-name: The results have no " + kind +
-                         " '" + name + "'. The names are " + joined(names) +
-                         ".");
-      return place - names.begin();
-    }
-  } // namespace
 
 
 

@@ -21,6 +21,26 @@ namespace lamella
     {
       return std::string(kind) + " " + request.name + "/Stress";
     }
+
+
+
+    /// sigma . d.
+    Tensor<1, 3>
+    traction_on(const Voigt &s, const Tensor<1, 3> &d)
+    {
+      return Point<3>(s[0] * d[0] + s[3] * d[1] + s[4] * d[2],
+                      s[3] * d[0] + s[1] * d[1] + s[5] * d[2],
+                      s[4] * d[0] + s[5] * d[1] + s[2] * d[2]);
+    }
+
+    double
+    largest_component(const Voigt &s)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < s.dimension; ++i)
+        largest = std::max(largest, std::abs(s[i]));
+      return largest;
+    }
   } // namespace
 
 
@@ -379,29 +399,6 @@ namespace lamella
         }
     return rows;
   }
-
-
-
-  namespace
-  {
-    /// sigma . d.
-    Tensor<1, 3>
-    traction_on(const Voigt &s, const Tensor<1, 3> &d)
-    {
-      return Point<3>(s[0] * d[0] + s[3] * d[1] + s[4] * d[2],
-                      s[3] * d[0] + s[1] * d[1] + s[5] * d[2],
-                      s[4] * d[0] + s[5] * d[1] + s[2] * d[2]);
-    }
-
-    double
-    largest_component(const Voigt &s)
-    {
-      double largest = 0.;
-      for (unsigned int i = 0; i < s.dimension; ++i)
-        largest = std::max(largest, std::abs(s[i]));
-      return largest;
-    }
-  } // namespace
 
 
 

@@ -106,6 +106,40 @@ namespace lamella
             found[4 * c + f].size() > 1 && is_in_ply_plane(cells[c], f);
       return touched;
     }
+
+
+
+    /// Whether @p x is on the segment from @p a to @p b.
+    bool
+    is_on(const Point<3> &x,
+          const Point<3> &a,
+          const Point<3> &b,
+          const double    near)
+    {
+      const Tensor<1, 3> along = b - a;
+      const double       t =
+        along.norm() > 0. ?
+                std::clamp(((x - a) * along) / along.norm_square(), 0., 1.) :
+                0.;
+      return x.distance(a + t * along) <= near;
+    }
+
+
+
+    bool
+    is_on_line_or_point(const Region   &region,
+                        const Point<3> &x,
+                        const double    near)
+    {
+      if (region.kind == Region::Kind::line)
+        return is_on(x, region.at.front(), region.at.back(), near);
+      return region.kind == Region::Kind::point &&
+             std::any_of(region.at.begin(),
+                         region.at.end(),
+                         [&](const auto &at) {
+                           return x.distance(at) <= near;
+                         });
+    }
   } // namespace
 
 
@@ -276,43 +310,6 @@ namespace lamella
         worst = &row;
     return worst;
   }
-
-
-
-  namespace
-  {
-    /// Whether @p x is on the segment from @p a to @p b.
-    bool
-    is_on(const Point<3> &x,
-          const Point<3> &a,
-          const Point<3> &b,
-          const double    near)
-    {
-      const Tensor<1, 3> along = b - a;
-      const double       t =
-        along.norm() > 0. ?
-                std::clamp(((x - a) * along) / along.norm_square(), 0., 1.) :
-                0.;
-      return x.distance(a + t * along) <= near;
-    }
-
-
-
-    bool
-    is_on_line_or_point(const Region   &region,
-                        const Point<3> &x,
-                        const double    near)
-    {
-      if (region.kind == Region::Kind::line)
-        return is_on(x, region.at.front(), region.at.back(), near);
-      return region.kind == Region::Kind::point &&
-             std::any_of(region.at.begin(),
-                         region.at.end(),
-                         [&](const auto &at) {
-                           return x.distance(at) <= near;
-                         });
-    }
-  } // namespace
 
 
 

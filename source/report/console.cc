@@ -7,6 +7,7 @@
 #include <lamella/recover/sampler.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/report/modes_table.h>
 #include <lamella/report/tables.h>
 
 #include <algorithm>
@@ -215,53 +216,9 @@ namespace lamella
               << " of the largest, which is distributed\n";
         });
     }
-  } // namespace
 
 
 
-  void
-  print_comparison(std::ostream         &out,
-                   const Results        &results,
-                   const ReferenceLists &references)
-  {
-    const StepResults &step = results.last();
-    Table table{{"quantity", "Lamella", "reference", "difference", "source"}};
-    for (unsigned int p = 0; p < step.probes.size(); ++p)
-      for (const Reference &reference : references.probes[p])
-        add_row(table,
-                results.probes[p],
-                field_named(reference.quantity, step.probes[p].front().sample),
-                reference);
-    for (unsigned int m = 0; m < step.measures.size(); ++m)
-      for (const Reference &reference : references.measures[m])
-        add_row(table,
-                "measure " + results.measures[m],
-                step.measures[m],
-                reference);
-    const auto add_resultant = [&](const std::string            &what,
-                                   const Tensor<1, 3>           &force,
-                                   const std::vector<Reference> &of) {
-      for (const Reference &reference : of)
-        add_row(table, what, force[reference.quantity[1] - 'x'], reference);
-    };
-    for (unsigned int s = 0; s < results.supports.size(); ++s)
-      add_resultant("support " + results.supports[s],
-                    step.checks.reactions[s].force,
-                    references.supports[s]);
-    for (unsigned int k = 0; k < results.contacts.size(); ++k)
-      add_resultant("contact " + results.contacts[k].name,
-                    step.checks.contacts[k].force,
-                    references.contacts[k]);
-    if (table.size() == 1)
-      return;
-    out << "\nResults beside their references:\n";
-    print_table(out, table);
-  }
-
-
-
-  namespace
-  {
     /// Prints the energy dissipated by friction so far and the error of the
     /// energy balance that finite load steps cause.
     void
@@ -435,6 +392,47 @@ namespace lamella
 
 
   void
+  print_comparison(std::ostream         &out,
+                   const Results        &results,
+                   const ReferenceLists &references)
+  {
+    const StepResults &step = results.last();
+    Table table{{"quantity", "Lamella", "reference", "difference", "source"}};
+    for (unsigned int p = 0; p < step.probes.size(); ++p)
+      for (const Reference &reference : references.probes[p])
+        add_row(table,
+                results.probes[p],
+                field_named(reference.quantity, step.probes[p].front().sample),
+                reference);
+    for (unsigned int m = 0; m < step.measures.size(); ++m)
+      for (const Reference &reference : references.measures[m])
+        add_row(table,
+                "measure " + results.measures[m],
+                step.measures[m],
+                reference);
+    const auto add_resultant = [&](const std::string            &what,
+                                   const Tensor<1, 3>           &force,
+                                   const std::vector<Reference> &of) {
+      for (const Reference &reference : of)
+        add_row(table, what, force[reference.quantity[1] - 'x'], reference);
+    };
+    for (unsigned int s = 0; s < results.supports.size(); ++s)
+      add_resultant("support " + results.supports[s],
+                    step.checks.reactions[s].force,
+                    references.supports[s]);
+    for (unsigned int k = 0; k < results.contacts.size(); ++k)
+      add_resultant("contact " + results.contacts[k].name,
+                    step.checks.contacts[k].force,
+                    references.contacts[k]);
+    if (table.size() == 1)
+      return;
+    out << "\nResults beside their references:\n";
+    print_table(out, table);
+  }
+
+
+
+  void
   print_summary(std::ostream &out, const Results &results)
   {
     const StepResults &step = results.last();
@@ -454,6 +452,7 @@ namespace lamella
             << percent(100. * step.jumps[l].of_traction)
             << " of its largest traction\n";
     print_defects(out, results);
+    print_modes(out, results);
     print_reserves(out, results);
     print_probes(out, results);
     print_goals(out, results);

@@ -109,6 +109,28 @@ namespace lamella
     {
       return trimmed(to_text(value, digits) + " " + goal.unit);
     }
+
+
+
+    /// What the linear model leaves out, if that is worth a word.
+    void
+    print_nonlinear_effects(std::ostream &out, const Results &results)
+    {
+      const NonlinearityEstimate &beyond = results.last().checks.beyond;
+      constexpr double            less   = 1e-2;
+      if (beyond.stiffening > less || beyond.buckling_factor)
+        {
+          out << "  All of these are of the linear model, which no refinement "
+                 "mends:";
+          if (beyond.stiffening > less)
+            out << " stiffening by large deflections "
+                << to_text(100. * beyond.stiffening, 2) << " %";
+          if (beyond.buckling_factor)
+            out << (beyond.stiffening > less ? "," : "") << " buckling at "
+                << to_text(*beyond.buckling_factor, 3) << " times these loads";
+          out << ".\n";
+        }
+    }
   } // namespace
 
 
@@ -174,31 +196,6 @@ namespace lamella
         }
     return text;
   }
-
-
-
-  namespace
-  {
-    /// What the linear model leaves out, if that is worth a word.
-    void
-    print_nonlinear_effects(std::ostream &out, const Results &results)
-    {
-      const NonlinearityEstimate &beyond = results.last().checks.beyond;
-      constexpr double            less   = 1e-2;
-      if (beyond.stiffening > less || beyond.buckling_factor)
-        {
-          out << "  All of these are of the linear model, which no refinement "
-                 "mends:";
-          if (beyond.stiffening > less)
-            out << " stiffening by large deflections "
-                << to_text(100. * beyond.stiffening, 2) << " %";
-          if (beyond.buckling_factor)
-            out << (beyond.stiffening > less ? "," : "") << " buckling at "
-                << to_text(*beyond.buckling_factor, 3) << " times these loads";
-          out << ".\n";
-        }
-    }
-  } // namespace
 
 
 

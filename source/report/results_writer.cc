@@ -5,6 +5,7 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/report/goals_table.h>
+#include <lamella/report/modes_table.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/report/summary.h>
@@ -109,6 +110,7 @@ namespace lamella
     standing.vtu_files["solution"].emplace_back(
       step.step,
       write_vtu(place.path(),
+                "solution",
                 step.step,
                 step.load_factor.of_scene(),
                 of.structure,
@@ -162,11 +164,39 @@ namespace lamella
 
 
   void
+  ResultsWriter::write_modes(const std::string       &name,
+                             const std::vector<Mode> &modes)
+  {
+    // Large enough to see, small beside the bodies.
+    constexpr double    of_size = 0.05;
+    const OutputSources of      = output_sources();
+    if (modes.empty() || !of.write_vtu)
+      return;
+    std::vector<std::pair<double, std::string>> files;
+    for (unsigned int k = 0; k < modes.size(); ++k)
+      {
+        BlockVector shape = modes[k].shape;
+        shape *= of_size * of.structure.size() / modes[k].shape.linfty_norm();
+        files.emplace_back(
+          k + 1,
+          write_vtu(
+            place.path(), name, k + 1, modes[k].value, of.structure, shape));
+      }
+    if (is_root_process())
+      write_pvd(place.path(), name, files);
+  }
+
+
+
+  void
   ResultsWriter::write_outcome(const Results &results)
   {
     if (results.steps.empty())
       return;
     place.make_room();
+    if (results.natural_modes)
+      write_modes("mode", results.natural_modes->modes);
+    write_modes("buckling", results.buckling_modes);
     if (!is_root_process())
       return;
     write_file(place.path() + "/summary.json", summary_text(results));
@@ -177,6 +207,8 @@ namespace lamella
       }
     if (results.first_failure)
       write_file(place.path() + "/failure.csv", failure_table(results));
+    if (results.natural_modes || !results.buckling_modes.empty())
+      write_file(place.path() + "/modes.csv", modes_csv(results));
   }
 
 

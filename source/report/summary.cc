@@ -8,6 +8,7 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
+#include <lamella/report/modes_table.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -383,6 +384,7 @@ namespace lamella
                                   {"moment", to_json(load.moment)}};
     if (!results.steps.empty())
       add_last_step(results, json);
+    add_modes(results, json);
     json["quantities"] = results.quantities;
     for (const GoalResult &goal : results.goals)
       json["goals"][goal.name] = goal_json(goal);

@@ -134,6 +134,74 @@ namespace lamella
         }
       return text;
     }
+
+
+
+    struct Node
+    {
+      dealii::Point<3> position;
+      unsigned int     fields;
+    };
+
+
+
+    /// DoFs of a node follow upon each other, and all are at home there.
+    std::vector<Node>
+    nodes_of(const Body &body)
+    {
+      std::vector<Node> nodes;
+      for (DofIndex dof = 0; dof < body.n_dofs(); ++dof)
+        {
+          const dealii::Point<3> position = body.dof(dof).position;
+          if (nodes.empty() || position != nodes.back().position)
+            nodes.push_back({position, 0});
+          ++nodes.back().fields;
+        }
+      return nodes;
+    }
+
+
+
+    /// The side @p f of @p cell as points between semicolons, from its first
+    /// vertex to the other or, unless it goes @p forwards, back.
+    std::string
+    side_points(const Triangulation<2>::active_cell_iterator &cell,
+                const unsigned int                            f,
+                const bool                                    forwards,
+                const MappingQ<2>                            &mapping)
+    {
+      const bool curved =
+        cell->face(f)->manifold_id() != numbers::flat_manifold_id;
+      const unsigned int n = curved ? 8 : 1;
+      std::string        side;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double   t    = double(forwards ? i : n - i) / n;
+          const Point<2> unit = f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
+          const Point<2> x    = mapping.transform_unit_to_real_cell(cell, unit);
+          side += (i == 0 ? "" : ";") + csv(x[0]) + " " + csv(x[1]);
+        }
+      return side;
+    }
+
+
+
+    std::vector<std::string>
+    cells_of(const Results &results, const PlyReserve &row)
+    {
+      return {row.reserve ? to_text(*row.reserve, 5) : "none",
+              results.bodies[row.body].name,
+              std::to_string(row.ply + 1),
+              row.criterion,
+              row.mode,
+              to_text(row.position),
+              row.angle ? to_text(*row.angle, 4) : ""};
+    }
+
+
+
+    const std::vector<std::string> titles =
+      {"reserve factor", "body", "ply", "criterion", "mode", "at", "angle"};
   } // namespace
 
 
@@ -252,34 +320,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    struct Node
-    {
-      dealii::Point<3> position;
-      unsigned int     fields;
-    };
-
-
-
-    /// DoFs of a node follow upon each other, and all are at home there.
-    std::vector<Node>
-    nodes_of(const Body &body)
-    {
-      std::vector<Node> nodes;
-      for (DofIndex dof = 0; dof < body.n_dofs(); ++dof)
-        {
-          const dealii::Point<3> position = body.dof(dof).position;
-          if (nodes.empty() || position != nodes.back().position)
-            nodes.push_back({position, 0});
-          ++nodes.back().fields;
-        }
-      return nodes;
-    }
-  } // namespace
-
-
-
   std::string
   fields_of_nodes(const Bodies &bodies)
   {
@@ -300,33 +340,6 @@ namespace lamella
       }
     return text;
   }
-
-
-
-  namespace
-  {
-    /// The side @p f of @p cell as points between semicolons, from its first
-    /// vertex to the other or, unless it goes @p forwards, back.
-    std::string
-    side_points(const Triangulation<2>::active_cell_iterator &cell,
-                const unsigned int                            f,
-                const bool                                    forwards,
-                const MappingQ<2>                            &mapping)
-    {
-      const bool curved =
-        cell->face(f)->manifold_id() != numbers::flat_manifold_id;
-      const unsigned int n = curved ? 8 : 1;
-      std::string        side;
-      for (unsigned int i = 0; i <= n; ++i)
-        {
-          const double   t    = double(forwards ? i : n - i) / n;
-          const Point<2> unit = f < 2 ? Point<2>(f, t) : Point<2>(t, f - 2);
-          const Point<2> x    = mapping.transform_unit_to_real_cell(cell, unit);
-          side += (i == 0 ? "" : ";") + csv(x[0]) + " " + csv(x[1]);
-        }
-      return side;
-    }
-  } // namespace
 
 
 
@@ -365,28 +378,6 @@ namespace lamella
       }
     return table;
   }
-
-
-
-  namespace
-  {
-    std::vector<std::string>
-    cells_of(const Results &results, const PlyReserve &row)
-    {
-      return {row.reserve ? to_text(*row.reserve, 5) : "none",
-              results.bodies[row.body].name,
-              std::to_string(row.ply + 1),
-              row.criterion,
-              row.mode,
-              to_text(row.position),
-              row.angle ? to_text(*row.angle, 4) : ""};
-    }
-
-
-
-    const std::vector<std::string> titles =
-      {"reserve factor", "body", "ply", "criterion", "mode", "at", "angle"};
-  } // namespace
 
 
 

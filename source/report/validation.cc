@@ -126,6 +126,73 @@ namespace lamella
                      {"S13", s.S13},
                      {"S23", s.S23}});
     }
+
+
+
+    /// A, B and D of a laminate of the height @p h.
+    void
+    print_matrices(std::ostream            &out,
+                   const LaminateStiffness &stiffness,
+                   const double             h,
+                   const Units             &units)
+    {
+      // What is left of sums that cancel, over what they are made of.
+      const double A = stiffness.A.norm();
+      struct Part
+      {
+        const char                 *letter;
+        const dealii::Tensor<2, 3> *matrix;
+        double                      scale;
+        int                         lengths;
+      };
+      for (const Part &part : {Part{"A", &stiffness.A, A, -1},
+                               Part{"B", &stiffness.B, A * h, 0},
+                               Part{"D", &stiffness.D, A * h * h, 1}})
+        for (unsigned int r = 0; r < 3; ++r)
+          {
+            out << "  " << (r == 0 ? part.letter : " ");
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                const double value = (*part.matrix)[r][c];
+                out << std::setw(14)
+                    << (std::abs(value) <
+                            arithmetic::rounding_of_sums * part.scale ?
+                          0. :
+                          value);
+              }
+            out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
+          }
+    }
+
+
+
+    /// What @p load is in all, in a scene of the size @p size; of a
+    /// temperature, which has no resultant, that it is one.
+    void
+    print_load(std::ostream        &out,
+               const LoadResultant &load,
+               const double         size,
+               const Units         &units)
+    {
+      // What is left of a force whose tractions cancel.
+      const dealii::Tensor<1, 3> resultant =
+        load.force.norm() * size <
+            arithmetic::rounding_of_results * load.moment.norm() ?
+          dealii::Tensor<1, 3>() :
+          load.force;
+
+      out << "Load " << load.name << ": ";
+      if (load.is_temperature)
+        {
+          out << "a temperature, which has no resultant\n";
+          return;
+        }
+      const std::string force = units.force.empty() ? "" : " " + units.force;
+      out << "resultant " << to_text(resultant) << force << " in all, moment "
+          << to_text(load.moment) << force
+          << (units.length.empty() ? "" : " " + units.length)
+          << " about the origin\n";
+    }
   } // namespace
 
 
@@ -162,46 +229,6 @@ namespace lamella
       out << "  expansion " << to_text((*alpha)[0]) << ", "
           << to_text((*alpha)[1]) << ", " << to_text((*alpha)[2]) << " per K\n";
   }
-
-
-
-  namespace
-  {
-    /// A, B and D of a laminate of the height @p h.
-    void
-    print_matrices(std::ostream            &out,
-                   const LaminateStiffness &stiffness,
-                   const double             h,
-                   const Units             &units)
-    {
-      // What is left of sums that cancel, over what they are made of.
-      const double A = stiffness.A.norm();
-      struct Part
-      {
-        const char                 *letter;
-        const dealii::Tensor<2, 3> *matrix;
-        double                      scale;
-        int                         lengths;
-      };
-      for (const Part &part : {Part{"A", &stiffness.A, A, -1},
-                               Part{"B", &stiffness.B, A * h, 0},
-                               Part{"D", &stiffness.D, A * h * h, 1}})
-        for (unsigned int r = 0; r < 3; ++r)
-          {
-            out << "  " << (r == 0 ? part.letter : " ");
-            for (unsigned int c = 0; c < 3; ++c)
-              {
-                const double value = (*part.matrix)[r][c];
-                out << std::setw(14)
-                    << (std::abs(value) <
-                            arithmetic::rounding_of_sums * part.scale ?
-                          0. :
-                          value);
-              }
-            out << (r == 0 ? unit(units, part.lengths) : "") << "\n";
-          }
-    }
-  } // namespace
 
 
 
@@ -312,39 +339,6 @@ namespace lamella
       }
     out << "\n";
   }
-
-
-
-  namespace
-  {
-    /// What @p load is in all, in a scene of the size @p size; of a
-    /// temperature, which has no resultant, that it is one.
-    void
-    print_load(std::ostream        &out,
-               const LoadResultant &load,
-               const double         size,
-               const Units         &units)
-    {
-      // What is left of a force whose tractions cancel.
-      const dealii::Tensor<1, 3> resultant =
-        load.force.norm() * size <
-            arithmetic::rounding_of_results * load.moment.norm() ?
-          dealii::Tensor<1, 3>() :
-          load.force;
-
-      out << "Load " << load.name << ": ";
-      if (load.is_temperature)
-        {
-          out << "a temperature, which has no resultant\n";
-          return;
-        }
-      const std::string force = units.force.empty() ? "" : " " + units.force;
-      out << "resultant " << to_text(resultant) << force << " in all, moment "
-          << to_text(load.moment) << force
-          << (units.length.empty() ? "" : " " + units.length)
-          << " about the origin\n";
-    }
-  } // namespace
 
 
 

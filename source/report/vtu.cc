@@ -280,6 +280,7 @@ namespace lamella
 
   std::string
   write_vtu(const std::string   &directory,
+            const std::string   &series,
             const unsigned int   step,
             const double         factor,
             const Structure     &structure,
@@ -292,7 +293,7 @@ namespace lamella
     VtuGrid grid = picture.take();
     grid.time    = {factor, step};
 
-    const std::string name  = "solution_" + Utilities::int_to_string(step, 4);
+    const std::string name  = series + "_" + Utilities::int_to_string(step, 4);
     const auto        write = [&directory](const std::string &file_name,
                                     const auto        &content) {
       OutputFile file(directory + "/" + file_name);

@@ -60,6 +60,74 @@ namespace lamella
               least->friction,
               contact.surface};
     }
+
+
+
+    /// Returns the stabilization of each body; `auto` depends on contacts.
+    std::vector<Stabilization>
+    stabilizations_of(const Scene &given)
+    {
+      std::vector<Stabilization> stabilizations;
+      for (const BodyDescription &body : given.bodies)
+        stabilizations.push_back({body.stabilization.value_or(0.)});
+      for (const ContactPair &contact : given.contacts)
+        for (const Region *side : {&contact.first, &contact.second})
+          if (!given.bodies[side->body].stabilization &&
+              (side == &contact.first || contact.obstacle == nullptr))
+            stabilizations[side->body].share = stabilization_of_contact;
+      // Springs on rigid motions, which SmallMotions removes.
+      if (given.find.modes)
+        for (unsigned int b = 0; b < given.bodies.size(); ++b)
+          if (!given.bodies[b].stabilization)
+            stabilizations[b].share = stabilization_of_contact;
+      return stabilizations;
+    }
+
+
+
+    /// Returns the contacts of the undeformed bodies, for the choice of fields.
+    std::vector<ContactInterface>
+    undeformed_interfaces(const std::vector<ContactPair> &contacts,
+                          const Bodies                   &bodies)
+    {
+      std::vector<ContactInterface> interfaces(contacts.size());
+      for (unsigned int k = 0; k < contacts.size(); ++k)
+        {
+          ContactHistory history;
+          if (contacts[k].friction > 0.)
+            const Contact with_slips(contacts[k],
+                                     bodies,
+                                     interfaces[k],
+                                     history);
+          else
+            interfaces[k] = make_interface(contacts[k], bodies);
+        }
+      return interfaces;
+    }
+
+
+
+    /// Takes the slips out of the rows of @p contact that supports of both
+    /// sides hold, as those along the axis in plane strain: no force in them
+    /// would do anything, so none can be told.
+    void
+    drop_constrained_slips(ContactInterface &contact,
+                           const Structure  &structure)
+    {
+      for (GapConstraint &row : contact.rows)
+        row.slips.erase(
+          std::remove_if(row.slips.begin(),
+                         row.slips.end(),
+                         [&](const SlipConstraint &slip) {
+                           return slip.rate == 0. &&
+                                  std::all_of(slip.parts.begin(),
+                                              slip.parts.end(),
+                                              [&](const BodyFunctional &part) {
+                                                return structure.holds(part);
+                                              });
+                         }),
+          row.slips.end());
+    }
   } // namespace
 
 
@@ -82,26 +150,6 @@ namespace lamella
     TimerOutput::Scope scope(timer, name_of(Phase::setup));
     build_requests();
   }
-
-
-
-  namespace
-  {
-    /// Returns the stabilization of each body; `auto` depends on contacts.
-    std::vector<Stabilization>
-    stabilizations_of(const Scene &given)
-    {
-      std::vector<Stabilization> stabilizations;
-      for (const BodyDescription &body : given.bodies)
-        stabilizations.push_back({body.stabilization.value_or(0.)});
-      for (const ContactPair &contact : given.contacts)
-        for (const Region *side : {&contact.first, &contact.second})
-          if (!given.bodies[side->body].stabilization &&
-              (side == &contact.first || contact.obstacle == nullptr))
-            stabilizations[side->body].share = stabilization_of_contact;
-      return stabilizations;
-    }
-  } // namespace
 
 
 
@@ -173,31 +221,6 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// Returns the contacts of the undeformed bodies, for the choice of fields.
-    std::vector<ContactInterface>
-    undeformed_interfaces(const std::vector<ContactPair> &contacts,
-                          const Bodies                   &bodies)
-    {
-      std::vector<ContactInterface> interfaces(contacts.size());
-      for (unsigned int k = 0; k < contacts.size(); ++k)
-        {
-          ContactHistory history;
-          if (contacts[k].friction > 0.)
-            const Contact with_slips(contacts[k],
-                                     bodies,
-                                     interfaces[k],
-                                     history);
-          else
-            interfaces[k] = make_interface(contacts[k], bodies);
-        }
-      return interfaces;
-    }
-  } // namespace
-
-
-
   Bodies
   BuiltScene::make_bodies_with_fields()
   {
@@ -222,33 +245,6 @@ namespace lamella
       }
     return bodies;
   }
-
-
-
-  namespace
-  {
-    /// Takes the slips out of the rows of @p contact that supports of both
-    /// sides hold, as those along the axis in plane strain: no force in them
-    /// would do anything, so none can be told.
-    void
-    drop_constrained_slips(ContactInterface &contact,
-                           const Structure  &structure)
-    {
-      for (GapConstraint &row : contact.rows)
-        row.slips.erase(
-          std::remove_if(row.slips.begin(),
-                         row.slips.end(),
-                         [&](const SlipConstraint &slip) {
-                           return slip.rate == 0. &&
-                                  std::all_of(slip.parts.begin(),
-                                              slip.parts.end(),
-                                              [&](const BodyFunctional &part) {
-                                                return structure.holds(part);
-                                              });
-                         }),
-          row.slips.end());
-    }
-  } // namespace
 
 
 
@@ -387,7 +383,7 @@ namespace lamella
     units_check = std::make_unique<Plausibility>(*whole, given.units, contacts);
     if (!given.strength.criteria.empty())
       sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
-    if (given.find_first_failure)
+    if (given.find.first_failure)
       check_load_growth(*whole, contacts);
   }
 

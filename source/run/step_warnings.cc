@@ -167,6 +167,28 @@ namespace lamella
              (may_be ? "Discretization = line to roller, or " : "") +
              "shorter elements at the roller";
     }
+
+
+
+    /// Returns names of bodies with constraints at ends, and of the others.
+    std::set<std::pair<std::string, std::string>>
+    ends_with_rows(const std::vector<ContactInterface> &contacts,
+                   const Bodies                        &bodies)
+    {
+      std::set<std::pair<std::string, std::string>> found;
+      for (const ContactInterface &contact : contacts)
+        if (contact.discretization != Discretization::surface_to_surface)
+          {
+            const std::string &first = bodies[contact.first_body]->name();
+            const bool         is_both =
+              contact.discretization == Discretization::node_to_node;
+            if (!contact.points_on_second || is_both)
+              found.emplace(first, contact.second_name);
+            if (contact.points_on_second || is_both)
+              found.emplace(contact.second_name, first);
+          }
+      return found;
+    }
   } // namespace
 
 
@@ -292,31 +314,6 @@ namespace lamella
       scene.bodies[body].placement.to_body(penetration.position)[1],
       longest);
   }
-
-
-
-  namespace
-  {
-    /// Returns names of bodies with constraints at ends, and of the others.
-    std::set<std::pair<std::string, std::string>>
-    ends_with_rows(const std::vector<ContactInterface> &contacts,
-                   const Bodies                        &bodies)
-    {
-      std::set<std::pair<std::string, std::string>> found;
-      for (const ContactInterface &contact : contacts)
-        if (contact.discretization != Discretization::surface_to_surface)
-          {
-            const std::string &first = bodies[contact.first_body]->name();
-            const bool         is_both =
-              contact.discretization == Discretization::node_to_node;
-            if (!contact.points_on_second || is_both)
-              found.emplace(first, contact.second_name);
-            if (contact.points_on_second || is_both)
-              found.emplace(contact.second_name, first);
-          }
-      return found;
-    }
-  } // namespace
 
 
 

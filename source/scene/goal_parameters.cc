@@ -24,48 +24,9 @@ namespace lamella
                         "start of the run; a refinement pass that is predicted "
                         "to end later is not begun. 0: no limit.");
     }
-  } // namespace
 
 
 
-  void
-  GoalParameters::declare(ParameterHandler &prm)
-  {
-    prm.declare_entry(
-      "Quantities",
-      "",
-      Anything(),
-      "Quantities of interest, with '|' between: PROBE: COLUMN (of probes.csv; "
-      "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: "
-      "fx (and so on, pressure, width, width x, dissipated), or of a strip of "
-      "a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
-      "Empty: those of Trade, else all with References, and for probes without "
-      "References the largest displacement and stress.");
-    prm.declare_entry(
-      "Tolerance",
-      "",
-      Anything(),
-      "Largest accepted error, one value for all Quantities or one for each, "
-      "with commas between: in per cent of the value (1 or 1 %), or in the "
-      "unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs without a unit). "
-      "Values below a thousandth of the largest of their kind in the scene "
-      "(strains and stresses: in the material) count as that largest value. "
-      "The run refines theory and meshes until all estimated errors are "
-      "smaller. Empty: no refinement.");
-    prm.declare_entry("Error bars",
-                      name_of(ErrorBars::automatic),
-                      selection<ErrorBars>(),
-                      "Error estimates. auto: where they are cheap, by coarser "
-                      "models or half of the axis elements; true: always; "
-                      "richer: by finer models. With Rotations = large only "
-                      "true estimates errors, by half of the axis elements.");
-    declare_budgets(prm);
-  }
-
-
-
-  namespace
-  {
     /// Returns @p per_cent, given in a piece of @p entry, as a fraction.
     double
     share_of_one(const Entry &entry, const double per_cent)
@@ -227,6 +188,42 @@ namespace lamella
           "Add a Probe, or list quantities in Quantities of subsection Goals.");
     }
   } // namespace
+
+
+
+  void
+  GoalParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Quantities",
+      "",
+      Anything(),
+      "Quantities of interest, with '|' between: PROBE: COLUMN (of probes.csv; "
+      "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: "
+      "fx (and so on, pressure, width, width x, dissipated), or of a strip of "
+      "a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
+      "Empty: those of Trade, else all with References, and for probes without "
+      "References the largest displacement and stress.");
+    prm.declare_entry(
+      "Tolerance",
+      "",
+      Anything(),
+      "Largest accepted error, one value for all Quantities or one for each, "
+      "with commas between: in per cent of the value (1 or 1 %), or in the "
+      "unit of the quantity (0.5 MPa, 0.01 mm; 1e-6 abs without a unit). "
+      "Values below a thousandth of the largest of their kind in the scene "
+      "(strains and stresses: in the material) count as that largest value. "
+      "The run refines theory and meshes until all estimated errors are "
+      "smaller. Empty: no refinement.");
+    prm.declare_entry("Error bars",
+                      name_of(ErrorBars::automatic),
+                      selection<ErrorBars>(),
+                      "Error estimates. auto: where they are cheap, by coarser "
+                      "models or half of the axis elements; true: always; "
+                      "richer: by finer models. With Rotations = large only "
+                      "true estimates errors, by half of the axis elements.");
+    declare_budgets(prm);
+  }
 
 
 

@@ -78,13 +78,7 @@ namespace lamella
         "true",
         Bool(),
         "Whether to write the deformed bodies for ParaView: true or false.");
-      prm.declare_entry(
-        "Find",
-        "",
-        Anything(),
-        "`first failure`: after the load steps, find the load factor at which "
-        "the smallest reserve factor of subsection Strength is 1, to 0.1 %, "
-        "with a new contact solution at each trial. Empty: nothing.");
+      FindRequest::declare(prm);
       declare_lists(prm);
     }
 
@@ -183,23 +177,6 @@ namespace lamella
 
 
 
-    /// Returns whether @p entry, Find, requests the load at first failure.
-    bool
-    finds_first_failure(const Entry &entry, const StrengthParameters &strength)
-    {
-      if (entry.is_empty())
-        return false;
-      if (entry.text() != "first failure")
-        entry.refuse("scene.unknown-find: write `first failure`, or nothing");
-      if (strength.criteria.empty())
-        entry.refuse("scene.no-criteria: Find = first failure needs failure "
-                     "criteria, but Criteria is empty",
-                     "Write Strength/Criteria, and Strengths of materials.");
-      return true;
-    }
-
-
-
     /// Reads failure criteria, goals, and the trade, which refers to all these.
     void
     resolve_requests(ParameterHandler               &prm,
@@ -263,7 +240,7 @@ namespace lamella
     check_histories(const Scene &scene, const Entries &in)
     {
       const std::string path = first_with_factors(scene);
-      if (scene.find_first_failure && !path.empty())
+      if (scene.find.first_failure && !path.empty())
         in["Find"].refuse("scene.find-with-factors: " + path +
                             " has its own Factors, but Find = first failure "
                             "raises one load factor until a ply fails",
@@ -290,8 +267,9 @@ namespace lamella
       for (const SubsectionKind &kind : subsection_kinds())
         resolve_kind(kind, text, reading);
       resolve_requests(prm, names.at("Bodies"), scene);
-      scene.find_first_failure =
-        finds_first_failure(in["Find"], scene.strength);
+      scene.find = FindRequest::parse(in, !scene.strength.criteria.empty());
+      for (BodyDescription &body : scene.bodies)
+        body.has_inertia = scene.find.modes.has_value();
       check_sizes(scene);
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);
@@ -299,12 +277,9 @@ namespace lamella
       apply_rotations(scene);
       return scene;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Returns @p text without items that --set removed from a list; and names.
     std::pair<SceneText, NameLists>
     listed(SceneText text)
@@ -317,12 +292,9 @@ namespace lamella
         }
       return {std::move(text), std::move(names)};
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Returns whether @p text sets the Theory @p path to `auto`. Throws
     /// InputError for `auto` without a Tolerance.
     bool

@@ -44,6 +44,25 @@ namespace lamella
       // A node couples with 2 p + 1 nodes at element ends, p + 1 inside.
       return {dofs, dofs * 3. * (p + 2.) * (p + 2.) * (q + 2.)};
     }
+
+
+
+    /// Throws InputError for dissipation of a contact without friction.
+    void
+    check_dissipated(const Scene &scene)
+    {
+      for (const auto *quantities :
+           {&scene.goals.quantities, &scene.trade.quantities})
+        for (const NamedQuantity &quantity : *quantities)
+          for (const ContactPair &contact : scene.contacts)
+            if (quantity.of == NamedQuantity::ObjectKind::contact &&
+                quantity.column == "dissipated" &&
+                contact.name == quantity.name && contact.friction == 0.)
+              Entry(quantity.path, quantity.label())
+                .refuse("scene.no-friction: contact " + contact.name +
+                          " has no friction",
+                        "Write Friction there, or remove this quantity.");
+    }
   } // namespace
 
 
@@ -76,28 +95,6 @@ namespace lamella
               "elements, or a theory of lower order.");
       }
   }
-
-
-
-  namespace
-  {
-    /// Throws InputError for dissipation of a contact without friction.
-    void
-    check_dissipated(const Scene &scene)
-    {
-      for (const auto *quantities :
-           {&scene.goals.quantities, &scene.trade.quantities})
-        for (const NamedQuantity &quantity : *quantities)
-          for (const ContactPair &contact : scene.contacts)
-            if (quantity.of == NamedQuantity::ObjectKind::contact &&
-                quantity.column == "dissipated" &&
-                contact.name == quantity.name && contact.friction == 0.)
-              Entry(quantity.path, quantity.label())
-                .refuse("scene.no-friction: contact " + contact.name +
-                          " has no friction",
-                        "Write Friction there, or remove this quantity.");
-    }
-  } // namespace
 
 
 

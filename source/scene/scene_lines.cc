@@ -54,39 +54,9 @@ namespace lamella
           return 0;
       return n;
     }
-  } // namespace
 
 
 
-  std::string
-  checked_bytes(const std::string &text, const std::string &file)
-  {
-    const auto begins = [&text](const char *mark) {
-      return text.rfind(mark, 0) == 0;
-    };
-    if (begins("\xff\xfe") || begins("\xfe\xff"))
-      throw InputError("scene.utf-16: the scene file is text in the encoding "
-                       "UTF-16. Save it as UTF-8 (or ASCII).")
-        .at(file + ": ");
-    std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
-    for (std::size_t i = 0; i < result.size();)
-      {
-        const std::size_t n = length_of_character(result, i);
-        if (n == 0)
-          throw InputError(
-            "scene.not-utf-8: the line has a character that is not valid "
-            "UTF-8. Save the file as UTF-8 (or ASCII), or type the line again.")
-            .at(line_prefix(
-              file, 1 + std::count(result.begin(), result.begin() + i, '\n')));
-        i += n;
-      }
-    return result;
-  }
-
-
-
-  namespace
-  {
     /// Returns the position of the comment of @p line (`\#` is none), or npos.
     std::size_t
     begin_of_comment(const std::string &line)
@@ -221,6 +191,33 @@ namespace lamella
       }
     };
   } // namespace
+
+
+
+  std::string
+  checked_bytes(const std::string &text, const std::string &file)
+  {
+    const auto begins = [&text](const char *mark) {
+      return text.rfind(mark, 0) == 0;
+    };
+    if (begins("\xff\xfe") || begins("\xfe\xff"))
+      throw InputError("scene.utf-16: the scene file is text in the encoding "
+                       "UTF-16. Save it as UTF-8 (or ASCII).")
+        .at(file + ": ");
+    std::string result = begins("\xef\xbb\xbf") ? text.substr(3) : text;
+    for (std::size_t i = 0; i < result.size();)
+      {
+        const std::size_t n = length_of_character(result, i);
+        if (n == 0)
+          throw InputError(
+            "scene.not-utf-8: the line has a character that is not valid "
+            "UTF-8. Save the file as UTF-8 (or ASCII), or type the line again.")
+            .at(line_prefix(
+              file, 1 + std::count(result.begin(), result.begin() + i, '\n')));
+        i += n;
+      }
+    return result;
+  }
 
 
 

@@ -179,33 +179,9 @@ namespace lamella
           " % too small. Use elements of the length " +
           to_text(fine * width, 2) + " next to this support (Axis breaks)");
     }
-  } // namespace
 
 
 
-  std::vector<std::string>
-  notes_on_theories(const Scene &scene, const SectionMeshes &meshes)
-  {
-    std::vector<std::string> notes;
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        const BodyDescription &body = scene.bodies[b];
-        const auto            &mesh = meshes.at(body.section);
-        // Other theories have plane sections, or contract freely.
-        if (body.theory.describes_contraction() && !body.theory.is_solid())
-          add_clamp_note(b, scene, *mesh, notes);
-        if (!body.theory.is_single_layer())
-          continue;
-        add_shear_note(body, scene, notes);
-        if (!std::holds_alternative<Laminate>(scene.sections.at(body.section)))
-          add_torsion_note(body, mesh, notes);
-      }
-    return notes;
-  }
-
-
-  namespace
-  {
     /// Returns whether LE-1 is used all along the axis or in some piece.
     bool
     has_LE_1(const BodyDescription &body)
@@ -295,6 +271,28 @@ namespace lamella
       return notes;
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  notes_on_theories(const Scene &scene, const SectionMeshes &meshes)
+  {
+    std::vector<std::string> notes;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const BodyDescription &body = scene.bodies[b];
+        const auto            &mesh = meshes.at(body.section);
+        // Other theories have plane sections, or contract freely.
+        if (body.theory.describes_contraction() && !body.theory.is_solid())
+          add_clamp_note(b, scene, *mesh, notes);
+        if (!body.theory.is_single_layer())
+          continue;
+        add_shear_note(body, scene, notes);
+        if (!std::holds_alternative<Laminate>(scene.sections.at(body.section)))
+          add_torsion_note(body, mesh, notes);
+      }
+    return notes;
+  }
 
 
 

@@ -64,32 +64,9 @@ namespace lamella
                         "Errors in per cent, with commas between: for each, "
                         "the cheapest variant with a smaller error is named.");
     }
-  } // namespace
 
 
 
-  void
-  TradeParameters::declare(ParameterHandler &prm)
-  {
-    declare_variants(prm);
-    declare_comparison(prm);
-    prm.declare_entry("Error bars",
-                      "false",
-                      dealii::Patterns::Bool(),
-                      "Whether each variant also estimates its own errors, as "
-                      "in subsection Goals; the tables show both. The time of "
-                      "a variant does not include the estimate.");
-    prm.declare_entry(
-      "Time limit",
-      "0",
-      patterns::number(),
-      "Processor seconds after which a variant is stopped; 0: no limit.");
-  }
-
-
-
-  namespace
-  {
     constexpr double least_factor = 0.05, greatest_factor = 20.;
     // Longest time that the system can count, in seconds.
     constexpr double longest_time = 1e9;
@@ -279,6 +256,26 @@ namespace lamella
       return seconds;
     }
   } // namespace
+
+
+
+  void
+  TradeParameters::declare(ParameterHandler &prm)
+  {
+    declare_variants(prm);
+    declare_comparison(prm);
+    prm.declare_entry("Error bars",
+                      "false",
+                      dealii::Patterns::Bool(),
+                      "Whether each variant also estimates its own errors, as "
+                      "in subsection Goals; the tables show both. The time of "
+                      "a variant does not include the estimate.");
+    prm.declare_entry(
+      "Time limit",
+      "0",
+      patterns::number(),
+      "Processor seconds after which a variant is stopped; 0: no limit.");
+  }
 
 
 

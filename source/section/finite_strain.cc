@@ -73,6 +73,43 @@ namespace lamella
       S[1][2] = of_shears * s[5];
       return S;
     }
+
+
+
+    /// Where i and j stand in the order of Eq. 4.
+    constexpr unsigned int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+    /// E_ij of H_i . H_j / 2 alone, shears twice.
+    Voigt
+    quadratic_strain(const Gradient &H)
+    {
+      Voigt e;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
+      return e;
+    }
+
+
+
+    /// dE / dH at H, F_j = e_j + H_j: rows are strains, columns H by rows.
+    std::array<std::array<double, 9>, 6>
+    strain_derivative(const Gradient &H)
+    {
+      Tensor<2, 3> F = H;
+      for (unsigned int i = 0; i < 3; ++i)
+        F[i][i] += 1.;
+      std::array<std::array<double, 9>, 6> B{};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              B[place[i][j]][3 * i + c] += i == j ? F[i][c] : F[j][c];
+              if (i != j)
+                B[place[i][j]][3 * j + c] += F[i][c];
+            }
+      return B;
+    }
   } // namespace
 
 
@@ -150,46 +187,6 @@ namespace lamella
     const Tensor<2, 3> S(tensor_of(second, 1.));
     return S + S * H;
   }
-
-
-
-  namespace
-  {
-    /// Where i and j stand in the order of Eq. 4.
-    constexpr unsigned int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-
-    /// E_ij of H_i . H_j / 2 alone, shears twice.
-    Voigt
-    quadratic_strain(const Gradient &H)
-    {
-      Voigt e;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
-      return e;
-    }
-
-
-
-    /// dE / dH at H, F_j = e_j + H_j: rows are strains, columns H by rows.
-    std::array<std::array<double, 9>, 6>
-    strain_derivative(const Gradient &H)
-    {
-      Tensor<2, 3> F = H;
-      for (unsigned int i = 0; i < 3; ++i)
-        F[i][i] += 1.;
-      std::array<std::array<double, 9>, 6> B{};
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              B[place[i][j]][3 * i + c] += i == j ? F[i][c] : F[j][c];
-              if (i != j)
-                B[place[i][j]][3 * j + c] += F[i][c];
-            }
-      return B;
-    }
-  } // namespace
 
 
 

@@ -164,6 +164,25 @@ namespace lamella
             point.along[a][shear]    = 0.;
           }
     }
+
+
+
+    /// @p unit on those sides of the unit square that it is within @p tolerance
+    /// of, where @p jacobian is d(x, z) / d(xi, eta).
+    Point<2>
+    on_near_sides(Point<2>            unit,
+                  const Tensor<2, 2> &jacobian,
+                  const double        tolerance)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double size = std::hypot(jacobian[0][d], jacobian[1][d]);
+          for (const double side : {0., 1.})
+            if (std::abs(unit[d] - side) * size <= tolerance)
+              unit[d] = side;
+        }
+      return unit;
+    }
   } // namespace
 
 
@@ -333,28 +352,6 @@ namespace lamella
     const Point<2> inside = GeometryInfo<2>::project_to_unit_cell(unit);
     return {inside, x.distance(expansion->map(cell, inside).position)};
   }
-
-
-
-  namespace
-  {
-    /// @p unit on those sides of the unit square that it is within @p tolerance
-    /// of, where @p jacobian is d(x, z) / d(xi, eta).
-    Point<2>
-    on_near_sides(Point<2>            unit,
-                  const Tensor<2, 2> &jacobian,
-                  const double        tolerance)
-    {
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          const double size = std::hypot(jacobian[0][d], jacobian[1][d]);
-          for (const double side : {0., 1.})
-            if (std::abs(unit[d] - side) * size <= tolerance)
-              unit[d] = side;
-        }
-      return unit;
-    }
-  } // namespace
 
 
 

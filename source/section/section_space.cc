@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace lamella
@@ -42,6 +43,67 @@ namespace lamella
                     j < n_dense                ? SB[m](a, j) :
                                                  SB[transposed[m]](b, i);
       return values;
+    }
+
+
+
+    /// Adds @p factor times the @p n numbers of a mode to @p sum.
+    void
+    add_scaled(const double      *mode,
+               const unsigned int n,
+               const double       factor,
+               double            *sum)
+    {
+      for (unsigned int alpha = 0; alpha < n; ++alpha)
+        sum[alpha] += factor * mode[alpha];
+    }
+
+
+
+    /// Integrates rho Phi_alpha . Phi_beta over the section into @p mass, point
+    /// by point. The points integrate products of strains exactly, and
+    /// therefore those of displacements on cells with straight edges.
+    void
+    integrate_mass(const Section             &section,
+                   const std::vector<double> &densities,
+                   Matrix                    &mass)
+    {
+      std::vector<double> row;
+      section.for_each_point(
+        [&](const SectionPoint &point, const double weight) {
+          const double m = weight * densities[section.cell_ply(point.cell)];
+          const std::vector<unsigned int> &fields = *point.fields;
+          row.resize(fields.size());
+          for (unsigned int a = 0; a < fields.size(); ++a)
+            {
+              for (unsigned int b = 0; b < fields.size(); ++b)
+                row[b] = m * (point.value[a] * point.value[b]);
+              mass.add(
+                fields[a], row.size(), fields.data(), row.data(), true, true);
+            }
+        });
+    }
+
+
+
+    /// Appends the entries of row @p a of @p mass that are @p carried to @p
+    /// row, with ascending columns.
+    void
+    append_row(const Matrix            &mass,
+               const unsigned int       a,
+               const std::vector<bool> &carried,
+               FactorRow               &row)
+    {
+      std::map<unsigned int, double> sorted;
+      for (auto entry = mass.begin(a); entry != mass.end(a); ++entry)
+        // Functions along different axes have no mass in common.
+        if (carried[entry->column()] && entry->value() != 0.)
+          sorted[entry->column()] = entry->value();
+      for (const auto &[column, value] : sorted)
+        {
+          row.columns.push_back(column);
+          row.entries.push_back({{value}});
+        }
     }
   } // namespace
 
@@ -133,22 +195,6 @@ namespace lamella
       square = square > 0. ? std::sqrt(square) : 1.;
     return squares;
   }
-
-
-
-  namespace
-  {
-    /// Adds @p factor times the @p n numbers of a mode to @p sum.
-    void
-    add_scaled(const double      *mode,
-               const unsigned int n,
-               const double       factor,
-               double            *sum)
-    {
-      for (unsigned int alpha = 0; alpha < n; ++alpha)
-        sum[alpha] += factor * mode[alpha];
-    }
-  } // namespace
 
 
 
@@ -250,6 +296,43 @@ namespace lamella
             result[a].columns.push_back(b);
             result[a].entries.push_back(entries_between(
               dense, SB, dense_number(a), dense_number(b), a, b));
+          }
+    return result;
+  }
+
+
+
+  // B^T M B of rigid functions and modes, M B between these and the others.
+  std::vector<FactorRow>
+  SectionSpace::mass_rows(const std::vector<double> &densities,
+                          const std::vector<bool>   &carried) const
+  {
+    AssertDimension(carried.size(), n_fields());
+    Matrix mass(base->S(0, 0).get_sparsity_pattern());
+    integrate_mass(*base, densities, mass);
+    const unsigned int     n = base->n_fields();
+    std::vector<FactorRow> result(n_fields());
+    for (unsigned int a = 0; a < n; ++a)
+      if (carried[a])
+        append_row(mass, a, carried, result[a]);
+    if (n_modes() == 0)
+      return result;
+
+    const LAPACKFullMatrix<double> MB = times_dense(mass);
+    const auto entry = [&](const unsigned int a, const unsigned int b) {
+      if (b < n)
+        return MB(b, a - n + n_rigid);
+      const double *const column = &MB(0, b - n + n_rigid);
+      return a < n ?
+               column[a] :
+               std::inner_product(mode(a - n), mode(a - n) + n, column, 0.);
+    };
+    for (unsigned int a = 0; a < n_fields(); ++a)
+      for (unsigned int b = a < n ? n : 0; carried[a] && b < n_fields(); ++b)
+        if (carried[b])
+          {
+            result[a].columns.push_back(b);
+            result[a].entries.push_back({{entry(a, b)}});
           }
     return result;
   }

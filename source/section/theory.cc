@@ -68,6 +68,85 @@ namespace lamella
       theory.order = order;
       return theory;
     }
+
+
+
+    unsigned int
+    section_order_of(const Entry &entry)
+    {
+      return entry.text() == "auto" ? Theory::default_section_order :
+                                      entry.whole(1, 8);
+    }
+
+
+
+    /// The theory @p word of the list @p all.
+    Theory
+    parse_piece(const Entry &all, const std::string &word)
+    {
+      const Theory theory = Theory::parse({all.path(), word});
+      if (theory.is_classical())
+        all.refuse(
+          "section.classical-theory-in-pieces: " + word +
+            " uses a reduced material law and cannot be part of Theories",
+          "Write SV instead.");
+      if (theory.kind == Theory::Kind::TE)
+        all.refuse("section.taylor-theory-in-pieces: " + word +
+                     " has section functions that LE-N and SV-N do not "
+                     "contain, so they cannot be joined",
+                   "Use LE-N and SV-N in Theories, or TE-N as Theory.");
+      if (theory.kind == Theory::Kind::solid)
+        all.refuse(
+          "section.solid-in-pieces: " + word +
+            " is no beam theory, but Theories accepts beam theories only",
+          "Write only LE-N and SV-N in Theories, or use a separate "
+          "body with the solid theory.");
+      return theory;
+    }
+
+
+
+    /// Gives all the section space of the highest LE-N, or of @p order.
+    void
+    set_section_orders(std::vector<Theory> &theories,
+                       const Entry         &order,
+                       const Entry         &all)
+    {
+      std::set<unsigned int> degrees, waves;
+      bool                   only_LE = true;
+      for (const Theory &theory : theories)
+        if (theory.kind == Theory::Kind::LE)
+          degrees.insert(theory.order);
+        else
+          {
+            only_LE = false;
+            if (theory.order > 0)
+              waves.insert(theory.order);
+          }
+      if (waves.size() > 1)
+        all.refuse("section.different-orders-of-sv: SV-" +
+                     std::to_string(*waves.begin()) + " and SV-" +
+                     std::to_string(*waves.rbegin()) +
+                     " have different wave numbers",
+                   "Write the same N for each SV-N in Theories, or SV.");
+      const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
+      const unsigned int space   = order.text() == "auto" && highest > 0 ?
+                                     highest :
+                                     section_order_of(order);
+      if (space < highest)
+        order.refuse("section.section-order-too-low: Theories has LE-" +
+                       std::to_string(highest) + ", with a higher degree",
+                     "Write Section order = auto, or " +
+                       std::to_string(highest) + " or more.");
+      if (only_LE && space > highest)
+        order.refuse("section.section-order-unused: only SV-N has it",
+                     "Theories has no SV-N: write Section order = auto.");
+      for (Theory &theory : theories)
+        {
+          theory.section_order = space;
+          theory.hierarchical  = !degrees.empty() && *degrees.begin() < space;
+        }
+    }
   } // namespace
 
 
@@ -198,88 +277,6 @@ namespace lamella
                       "For TBT only: shear correction factor k of k G A, 5/6 "
                       "for rectangles of one material, 1 in the paper.");
   }
-
-
-
-  namespace
-  {
-    unsigned int
-    section_order_of(const Entry &entry)
-    {
-      return entry.text() == "auto" ? Theory::default_section_order :
-                                      entry.whole(1, 8);
-    }
-
-
-
-    /// The theory @p word of the list @p all.
-    Theory
-    parse_piece(const Entry &all, const std::string &word)
-    {
-      const Theory theory = Theory::parse({all.path(), word});
-      if (theory.is_classical())
-        all.refuse(
-          "section.classical-theory-in-pieces: " + word +
-            " uses a reduced material law and cannot be part of Theories",
-          "Write SV instead.");
-      if (theory.kind == Theory::Kind::TE)
-        all.refuse("section.taylor-theory-in-pieces: " + word +
-                     " has section functions that LE-N and SV-N do not "
-                     "contain, so they cannot be joined",
-                   "Use LE-N and SV-N in Theories, or TE-N as Theory.");
-      if (theory.kind == Theory::Kind::solid)
-        all.refuse(
-          "section.solid-in-pieces: " + word +
-            " is no beam theory, but Theories accepts beam theories only",
-          "Write only LE-N and SV-N in Theories, or use a separate "
-          "body with the solid theory.");
-      return theory;
-    }
-
-
-
-    /// Gives all the section space of the highest LE-N, or of @p order.
-    void
-    set_section_orders(std::vector<Theory> &theories,
-                       const Entry         &order,
-                       const Entry         &all)
-    {
-      std::set<unsigned int> degrees, waves;
-      bool                   only_LE = true;
-      for (const Theory &theory : theories)
-        if (theory.kind == Theory::Kind::LE)
-          degrees.insert(theory.order);
-        else
-          {
-            only_LE = false;
-            if (theory.order > 0)
-              waves.insert(theory.order);
-          }
-      if (waves.size() > 1)
-        all.refuse("section.different-orders-of-sv: SV-" +
-                     std::to_string(*waves.begin()) + " and SV-" +
-                     std::to_string(*waves.rbegin()) +
-                     " have different wave numbers",
-                   "Write the same N for each SV-N in Theories, or SV.");
-      const unsigned int highest = degrees.empty() ? 0 : *degrees.rbegin();
-      const unsigned int space   = order.text() == "auto" && highest > 0 ?
-                                     highest :
-                                     section_order_of(order);
-      if (space < highest)
-        order.refuse("section.section-order-too-low: Theories has LE-" +
-                       std::to_string(highest) + ", with a higher degree",
-                     "Write Section order = auto, or " +
-                       std::to_string(highest) + " or more.");
-      if (only_LE && space > highest)
-        order.refuse("section.section-order-unused: only SV-N has it",
-                     "Theories has no SV-N: write Section order = auto.");
-      for (Theory &theory : theories)
-        {
-          theory.section_order = space;
-          theory.hierarchical  = !degrees.empty() && *degrees.begin() < space;
-        }
-    }
-  } // namespace
 
 
 

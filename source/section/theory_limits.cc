@@ -92,6 +92,22 @@ namespace lamella
                 return l.E * (z - z0) * (z - z0);
               })};
     }
+
+
+
+    /// Of a section's @p n fields the places among those whose section strain
+    /// does not vanish, and how many these are. (The slopes are among them:
+    /// they let the section turn about its shear center.)
+    std::pair<std::vector<unsigned int>, unsigned int>
+    fields_with_strain(const unsigned int n)
+    {
+      std::vector<unsigned int> place(n, numbers::invalid_unsigned_int);
+      unsigned int              n_free = 0;
+      for (unsigned int a = 0; a < n; ++a)
+        if (a > RigidField::translation_z && a != RigidField::rotation_y)
+          place[a] = n_free++;
+      return {place, n_free};
+    }
   } // namespace
 
 
@@ -164,25 +180,6 @@ namespace lamella
         flexibility += b[i] * A(i, j) * b[j];
     return 1. / flexibility;
   }
-
-
-
-  namespace
-  {
-    /// Of a section's @p n fields the places among those whose section strain
-    /// does not vanish, and how many these are. (The slopes are among them:
-    /// they let the section turn about its shear center.)
-    std::pair<std::vector<unsigned int>, unsigned int>
-    fields_with_strain(const unsigned int n)
-    {
-      std::vector<unsigned int> place(n, numbers::invalid_unsigned_int);
-      unsigned int              n_free = 0;
-      for (unsigned int a = 0; a < n; ++a)
-        if (a > RigidField::translation_z && a != RigidField::rotation_y)
-          place[a] = n_free++;
-      return {place, n_free};
-    }
-  } // namespace
 
 
 

@@ -17,6 +17,68 @@ namespace lamella
     constexpr unsigned int n_rigid = RigidField::n_all;
     // Of a field's norm: what is left of it without what is known is rounding.
     constexpr double nothing_new = 1e-8;
+
+
+
+    /// a - b c.
+    void
+    subtract_product(FieldColumns       &a,
+                     const FieldColumns &b,
+                     const FieldColumns &c)
+    {
+      FieldColumns product(a.m(), a.n());
+      b.mmult(product, c);
+      for (unsigned int j = 0; j < a.n(); ++j)
+        std::transform(
+          &a(0, j), &a(0, j) + a.m(), &product(0, j), &a(0, j), std::minus<>());
+    }
+
+
+
+    /// Takes what lies along @p known out of @p fields, whose metrics (M times
+    /// the fields) follow; twice, for the sake of rounding.
+    void
+    make_free_of(const FieldColumns &known,
+                 const FieldColumns &known_metrics,
+                 FieldColumns       &fields,
+                 FieldColumns       &metrics)
+    {
+      if (known.n() == 0)
+        return;
+      FieldColumns gram(known.n(), known.n()), parts(known.n(), fields.n()),
+        amplitudes(parts);
+      known.Tmmult(gram, known_metrics);
+      gram.invert();
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        {
+          known_metrics.Tmmult(parts, fields);
+          gram.mmult(amplitudes, parts);
+          subtract_product(fields, known, amplitudes);
+          subtract_product(metrics, known_metrics, amplitudes);
+        }
+    }
+
+
+
+    /// u . v of two columns of as many rows.
+    double
+    product(const FieldColumns &u, const FieldColumns &v, const unsigned int j)
+    {
+      return std::inner_product(&u(0, j), &u(0, j) + u.m(), &v(0, j), 0.);
+    }
+
+
+
+    /// Displacements of the point @p point due to @p columns, in turn.
+    std::vector<Tensor<1, 3>>
+    displacements(const SectionPoint &point, const FieldColumns &columns)
+    {
+      std::vector<Tensor<1, 3>> result(columns.n());
+      for (unsigned int j = 0; j < columns.n(); ++j)
+        for (unsigned int a = 0; a < point.fields->size(); ++a)
+          result[j] += columns((*point.fields)[a], j) * point.value[a];
+      return result;
+    }
   } // namespace
 
 
@@ -86,58 +148,6 @@ namespace lamella
       return fields;
     return times_columns(metric_matrix, fields);
   }
-
-
-
-  namespace
-  {
-    /// a - b c.
-    void
-    subtract_product(FieldColumns       &a,
-                     const FieldColumns &b,
-                     const FieldColumns &c)
-    {
-      FieldColumns product(a.m(), a.n());
-      b.mmult(product, c);
-      for (unsigned int j = 0; j < a.n(); ++j)
-        std::transform(
-          &a(0, j), &a(0, j) + a.m(), &product(0, j), &a(0, j), std::minus<>());
-    }
-
-
-
-    /// Takes what lies along @p known out of @p fields, whose metrics (M times
-    /// the fields) follow; twice, for the sake of rounding.
-    void
-    make_free_of(const FieldColumns &known,
-                 const FieldColumns &known_metrics,
-                 FieldColumns       &fields,
-                 FieldColumns       &metrics)
-    {
-      if (known.n() == 0)
-        return;
-      FieldColumns gram(known.n(), known.n()), parts(known.n(), fields.n()),
-        amplitudes(parts);
-      known.Tmmult(gram, known_metrics);
-      gram.invert();
-      for (unsigned int pass = 0; pass < 2; ++pass)
-        {
-          known_metrics.Tmmult(parts, fields);
-          gram.mmult(amplitudes, parts);
-          subtract_product(fields, known, amplitudes);
-          subtract_product(metrics, known_metrics, amplitudes);
-        }
-    }
-
-
-
-    /// u . v of two columns of as many rows.
-    double
-    product(const FieldColumns &u, const FieldColumns &v, const unsigned int j)
-    {
-      return std::inner_product(&u(0, j), &u(0, j) + u.m(), &v(0, j), 0.);
-    }
-  } // namespace
 
 
 
@@ -291,22 +301,6 @@ namespace lamella
                   &result(0, j));
     return result;
   }
-
-
-
-  namespace
-  {
-    /// Displacements of the point @p point due to @p columns, in turn.
-    std::vector<Tensor<1, 3>>
-    displacements(const SectionPoint &point, const FieldColumns &columns)
-    {
-      std::vector<Tensor<1, 3>> result(columns.n());
-      for (unsigned int j = 0; j < columns.n(); ++j)
-        for (unsigned int a = 0; a < point.fields->size(); ++a)
-          result[j] += columns((*point.fields)[a], j) * point.value[a];
-      return result;
-    }
-  } // namespace
 
 
 

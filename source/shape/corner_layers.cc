@@ -182,46 +182,9 @@ namespace lamella
       std::vector<Point<2>>                         points;
       std::map<std::pair<Edge, long>, unsigned int> known;
     };
-  } // namespace
 
 
 
-  std::vector<unsigned int>
-  singular_corners(const SectionMesh &section, const CornerRules &rules)
-  {
-    std::set<unsigned int> boundary;
-    for (const auto &face : section.mesh.active_face_iterators())
-      if (face->at_boundary())
-        boundary.insert({face->vertex_index(0), face->vertex_index(1)});
-    std::map<unsigned int, double>             angles;
-    std::map<unsigned int, std::set<unsigned>> plies;
-    for (const auto &cell : section.mesh.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        if (const unsigned int vertex = cell->vertex_index(v);
-            boundary.count(vertex) > 0)
-          {
-            angles[vertex] += angle_at(cell, v);
-            plies[vertex].insert(cell->material_id());
-          }
-    std::vector<unsigned int> corners;
-    for (const unsigned int vertex : boundary)
-      {
-        const Ply &first = section.plies[*plies[vertex].begin()];
-        if (angles[vertex] > rules.min_reentrant_angle ||
-            std::any_of(plies[vertex].begin(),
-                        plies[vertex].end(),
-                        [&](const unsigned int ply) {
-                          return differ(section.plies[ply], first);
-                        }))
-          corners.push_back(vertex);
-      }
-    return corners;
-  }
-
-
-
-  namespace
-  {
     /// Where the cell @p corners are its vertices' places, the point of the
     /// unit square (@p s, @p t): edges are straight.
     Point<2>
@@ -329,6 +292,40 @@ namespace lamella
       SubCellData              edges;
     };
   } // namespace
+
+
+
+  std::vector<unsigned int>
+  singular_corners(const SectionMesh &section, const CornerRules &rules)
+  {
+    std::set<unsigned int> boundary;
+    for (const auto &face : section.mesh.active_face_iterators())
+      if (face->at_boundary())
+        boundary.insert({face->vertex_index(0), face->vertex_index(1)});
+    std::map<unsigned int, double>             angles;
+    std::map<unsigned int, std::set<unsigned>> plies;
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (const unsigned int vertex = cell->vertex_index(v);
+            boundary.count(vertex) > 0)
+          {
+            angles[vertex] += angle_at(cell, v);
+            plies[vertex].insert(cell->material_id());
+          }
+    std::vector<unsigned int> corners;
+    for (const unsigned int vertex : boundary)
+      {
+        const Ply &first = section.plies[*plies[vertex].begin()];
+        if (angles[vertex] > rules.min_reentrant_angle ||
+            std::any_of(plies[vertex].begin(),
+                        plies[vertex].end(),
+                        [&](const unsigned int ply) {
+                          return differ(section.plies[ply], first);
+                        }))
+          corners.push_back(vertex);
+      }
+    return corners;
+  }
 
 
 

@@ -80,6 +80,37 @@ namespace lamella
         normal *= -1.;
       return normal / normal.norm();
     }
+
+
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+
+    /// The s in [0, 1] at which (p - s e) and (n + s m) are parallel.
+    std::vector<double>
+    parallel_places(const Tensor<1, 2> &p,
+                    const Tensor<1, 2> &e,
+                    const Tensor<1, 2> &n,
+                    const Tensor<1, 2> &m)
+    {
+      constexpr double rounding = arithmetic::rounding_of_results;
+      const double     a = -cross(e, m), b = cross(p, m) - cross(e, n),
+                   c = cross(p, n), discriminant = b * b - 4. * a * c;
+      std::vector<double> found;
+      if (discriminant < 0.)
+        return found;
+      // Without cancellation, and for the linear equation that it nearly is.
+      const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+      for (const double s : {q != 0. ? c / q : 0., a != 0. ? q / a : -1.})
+        if (s > -rounding && s < 1. + rounding)
+          found.push_back(std::clamp(s, 0., 1.));
+      return found;
+    }
   } // namespace
 
 
@@ -115,40 +146,6 @@ namespace lamella
               sides[side].normals[end] = (a + b) / (a + b).norm();
         }
   }
-
-
-
-  namespace
-  {
-    double
-    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
-    /// The s in [0, 1] at which (p - s e) and (n + s m) are parallel.
-    std::vector<double>
-    parallel_places(const Tensor<1, 2> &p,
-                    const Tensor<1, 2> &e,
-                    const Tensor<1, 2> &n,
-                    const Tensor<1, 2> &m)
-    {
-      constexpr double rounding = arithmetic::rounding_of_results;
-      const double     a = -cross(e, m), b = cross(p, m) - cross(e, n),
-                   c = cross(p, n), discriminant = b * b - 4. * a * c;
-      std::vector<double> found;
-      if (discriminant < 0.)
-        return found;
-      // Without cancellation, and for the linear equation that it nearly is.
-      const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-      for (const double s : {q != 0. ? c / q : 0., a != 0. ? q / a : -1.})
-        if (s > -rounding && s < 1. + rounding)
-          found.push_back(std::clamp(s, 0., 1.));
-      return found;
-    }
-  } // namespace
 
 
 

@@ -45,59 +45,9 @@ namespace lamella
     {
       return a[0] * b[1] - a[1] * b[0];
     }
-  } // namespace
 
 
 
-  void
-  check_cells_are_convex(const GmshMesh &mesh, const Entry &entry)
-  {
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      for (const Corner &corner : corners_of(mesh, c))
-        if (!(area_between(corner.to_next, corner.to_last) >
-              arithmetic::degenerate_sine * corner.to_next.norm() *
-                corner.to_last.norm()))
-          {
-            Tensor<1, 2> center;
-            for (const unsigned int v : mesh.cells[c].vertices)
-              center += mesh.vertices[v] / 4.;
-            refuse_line(
-              entry,
-              mesh.elements[c]->line,
-              "shape.folded-cell: a cell is folded or has no area, at " +
-                to_text(Point<2>(center)) +
-                " (an inner angle of 180 degrees or more)",
-              "Mesh the section again; in Gmsh, 'Mesh.RecombinationAlgorithm = "
-              "3' or transfinite surfaces make better cells.");
-          }
-  }
-
-
-
-  void
-  check_angles(const GmshMesh &mesh, const Entry &entry)
-  {
-    std::vector<double> angle(mesh.vertices.size(), 0.);
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      for (const Corner &corner : corners_of(mesh, c))
-        {
-          double &sum = angle[corner.vertex];
-          sum += std::atan2(area_between(corner.to_next, corner.to_last),
-                            corner.to_next * corner.to_last);
-          if (sum > 2. * numbers::PI * (1. + arithmetic::degenerate_sine))
-            refuse_line(
-              entry,
-              mesh.elements[c]->line,
-              "shape.overlapping-cells: this cell overlaps other cells near " +
-                to_text(mesh.vertices[corner.vertex]),
-              "Draw each surface once, and mesh the section again.");
-        }
-  }
-
-
-
-  namespace
-  {
     /// A side of a cell, from the vertex of the lower number to the other.
     using Side = std::pair<unsigned int, unsigned int>;
 
@@ -197,6 +147,53 @@ namespace lamella
       return true;
     }
   } // namespace
+
+
+
+  void
+  check_cells_are_convex(const GmshMesh &mesh, const Entry &entry)
+  {
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const Corner &corner : corners_of(mesh, c))
+        if (!(area_between(corner.to_next, corner.to_last) >
+              arithmetic::degenerate_sine * corner.to_next.norm() *
+                corner.to_last.norm()))
+          {
+            Tensor<1, 2> center;
+            for (const unsigned int v : mesh.cells[c].vertices)
+              center += mesh.vertices[v] / 4.;
+            refuse_line(
+              entry,
+              mesh.elements[c]->line,
+              "shape.folded-cell: a cell is folded or has no area, at " +
+                to_text(Point<2>(center)) +
+                " (an inner angle of 180 degrees or more)",
+              "Mesh the section again; in Gmsh, 'Mesh.RecombinationAlgorithm = "
+              "3' or transfinite surfaces make better cells.");
+          }
+  }
+
+
+
+  void
+  check_angles(const GmshMesh &mesh, const Entry &entry)
+  {
+    std::vector<double> angle(mesh.vertices.size(), 0.);
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      for (const Corner &corner : corners_of(mesh, c))
+        {
+          double &sum = angle[corner.vertex];
+          sum += std::atan2(area_between(corner.to_next, corner.to_last),
+                            corner.to_next * corner.to_last);
+          if (sum > 2. * numbers::PI * (1. + arithmetic::degenerate_sine))
+            refuse_line(
+              entry,
+              mesh.elements[c]->line,
+              "shape.overlapping-cells: this cell overlaps other cells near " +
+                to_text(mesh.vertices[corner.vertex]),
+              "Draw each surface once, and mesh the section again.");
+        }
+  }
 
 
 

@@ -361,32 +361,9 @@ namespace lamella
           "Web thickness and Flange thickness are given",
           "Remove one of these three entries.");
     }
-  } // namespace
 
 
 
-  void
-  SectionParameters::declare(ParameterHandler &prm)
-  {
-    std::string names;
-    for (const NameOf<ShapeKind> &shape : Names<ShapeKind>::all)
-      names += (names.empty() ? "" : ", ") + std::string(shape.name);
-    prm.declare_entry("Shape",
-                      name_of(ShapeKind::laminate),
-                      selection<ShapeKind>(),
-                      "The kind of section: " + names +
-                        "; each has its own entries.");
-    for (const Declaration &entry : declarations())
-      prm.declare_entry(entry.name,
-                        entry.fallback,
-                        *entry.pattern,
-                        entry.documentation);
-  }
-
-
-
-  namespace
-  {
     SectionShape
     read(const ShapeKind    kind,
          const std::string &folder,
@@ -444,6 +421,26 @@ namespace lamella
       return 0.;
     }
   } // namespace
+
+
+
+  void
+  SectionParameters::declare(ParameterHandler &prm)
+  {
+    std::string names;
+    for (const NameOf<ShapeKind> &shape : Names<ShapeKind>::all)
+      names += (names.empty() ? "" : ", ") + std::string(shape.name);
+    prm.declare_entry("Shape",
+                      name_of(ShapeKind::laminate),
+                      selection<ShapeKind>(),
+                      "The kind of section: " + names +
+                        "; each has its own entries.");
+    for (const Declaration &entry : declarations())
+      prm.declare_entry(entry.name,
+                        entry.fallback,
+                        *entry.pattern,
+                        entry.documentation);
+  }
 
 
 

@@ -49,53 +49,9 @@ namespace lamella
             }
       return lengths;
     }
-  } // namespace
 
 
 
-  SectionProperties
-  section_properties(const SectionMesh &section)
-  {
-    // Degree 6 represents arcs of sensible meshes almost to rounding.
-    const MappingQ<2>   mapping(6);
-    const FE_Nothing<2> nothing;
-    FEValues<2>         values(mapping,
-                       nothing,
-                       QGauss<2>(8),
-                       update_quadrature_points | update_JxW_values);
-
-    SectionProperties result;
-    result.ply_areas.resize(section.plies.size());
-    std::vector<std::pair<double, Point<2>>> points;
-    Tensor<1, 2>                             first;
-    for (const auto &cell : section.mesh.active_cell_iterators())
-      {
-        values.reinit(cell);
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            points.emplace_back(values.JxW(q), values.quadrature_point(q));
-            result.ply_areas[cell->material_id()] += values.JxW(q);
-            first += values.JxW(q) * Tensor<1, 2>(values.quadrature_point(q));
-          }
-      }
-    result.boundary_lengths = boundary_lengths(section, mapping);
-    result.area =
-      std::accumulate(result.ply_areas.begin(), result.ply_areas.end(), 0.);
-    result.centroid = Point<2>(first / result.area);
-    for (const auto &[weight, x] : points)
-      result.second_moments +=
-        weight * outer_product(x - result.centroid, x - result.centroid);
-    const auto box =
-      GridTools::compute_bounding_box(section.mesh).get_boundary_points();
-    result.low  = box.first;
-    result.high = box.second;
-    return result;
-  }
-
-
-
-  namespace
-  {
     using CellIterator = Triangulation<2>::active_cell_iterator;
 
     /// Smallest sine of inner angles of @p cell; not positive if degenerate.
@@ -183,6 +139,47 @@ namespace lamella
                      "Connect the parts, or make a body of each.");
     }
   } // namespace
+
+
+
+  SectionProperties
+  section_properties(const SectionMesh &section)
+  {
+    // Degree 6 represents arcs of sensible meshes almost to rounding.
+    const MappingQ<2>   mapping(6);
+    const FE_Nothing<2> nothing;
+    FEValues<2>         values(mapping,
+                       nothing,
+                       QGauss<2>(8),
+                       update_quadrature_points | update_JxW_values);
+
+    SectionProperties result;
+    result.ply_areas.resize(section.plies.size());
+    std::vector<std::pair<double, Point<2>>> points;
+    Tensor<1, 2>                             first;
+    for (const auto &cell : section.mesh.active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            points.emplace_back(values.JxW(q), values.quadrature_point(q));
+            result.ply_areas[cell->material_id()] += values.JxW(q);
+            first += values.JxW(q) * Tensor<1, 2>(values.quadrature_point(q));
+          }
+      }
+    result.boundary_lengths = boundary_lengths(section, mapping);
+    result.area =
+      std::accumulate(result.ply_areas.begin(), result.ply_areas.end(), 0.);
+    result.centroid = Point<2>(first / result.area);
+    for (const auto &[weight, x] : points)
+      result.second_moments +=
+        weight * outer_product(x - result.centroid, x - result.centroid);
+    const auto box =
+      GridTools::compute_bounding_box(section.mesh).get_boundary_points();
+    result.low  = box.first;
+    result.high = box.second;
+    return result;
+  }
 
 
 

@@ -84,81 +84,9 @@ namespace lamella
             std::to_string(n) + " part(s)",
           "Write the number of cells of each part, as in 4, 2, 4.");
     }
-  } // namespace
 
 
 
-  Laminate
-  ShapeReader::laminate() const
-  {
-    Laminate result;
-    result.width         = in["Width"].positive();
-    result.angles        = parse_layup(in["Layup"]);
-    const unsigned int n = result.angles.size();
-    result.cells_per_ply =
-      one_per_ply(counts("Cells per ply"), n, in["Cells per ply"]);
-    read_pieces(result, *this);
-    result.thicknesses =
-      one_per_ply(lengths("Ply thickness"), n, in["Ply thickness"]);
-
-    const Entry              entry = in["Ply materials"];
-    std::vector<std::string> names = entry.items();
-    if (names.empty() && materials.size() == 1)
-      names = materials;
-    if (names.empty())
-      entry.refuse_missing("shape.material-missing: write a material: " +
-                           joined(materials) + ", or one for each ply.");
-    for (const std::string &name : names)
-      material(entry, name);
-    result.materials = one_per_ply(names, n, entry);
-    return result;
-  }
-
-
-
-  HalfDisc
-  ShapeReader::half_disc() const
-  {
-    HalfDisc result;
-    result.radius         = in["Radius"].positive();
-    result.graded_towards = in["Graded towards"].number();
-    if (!(result.graded_towards >= 30. && result.graded_towards <= 150.))
-      in["Graded towards"].refuse(
-        "shape.angle-out-of-range: the angle must lie between 30 and 150 "
-        "degrees; 90 is the top of the arc");
-    const Entry finest = in["Finest cell"];
-    result.finest_cell =
-      finest.is_empty() ? result.radius / 8. : finest.positive();
-    if (!(result.finest_cell <= result.radius &&
-          result.finest_cell >= 1e-6 * result.radius))
-      finest.refuse("shape.invalid-finest-cell: the cell size must lie between "
-                    "a millionth of Radius and Radius, which is " +
-                    to_text(result.radius));
-    result.sectors = count("Sectors");
-    if (result.sectors % 4 != 0)
-      in["Sectors"].refuse(
-        "shape.not-multiple-of-four: Sectors must be a multiple of 4, as 8");
-    result.oriented_material = oriented_material();
-    return result;
-  }
-
-
-
-  Ellipse
-  ShapeReader::ellipse() const
-  {
-    Ellipse result;
-    result.width       = in["Width"].positive();
-    result.height      = in["Height"].positive();
-    result.refinements = in["Refinements"].whole(0, max_ellipse_refinements);
-    result.oriented_material = oriented_material();
-    return result;
-  }
-
-
-
-  namespace
-  {
     /// What the physical surfaces of a mesh are made of, between '|'.
     std::map<std::string, OrientedMaterial>
     read_parts(const ShapeReader &reader)
@@ -224,32 +152,9 @@ namespace lamella
         }
       return planes;
     }
-  } // namespace
 
 
 
-  SectionFile
-  ShapeReader::file(const std::string &folder) const
-  {
-    const Entry name = in["File"];
-    if (name.is_empty())
-      name.refuse_missing(
-        "shape.file-missing: write the name of a mesh file of Gmsh, for example beam.msh.");
-    SectionFile result;
-    result.path   = (std::filesystem::path(folder) / name.text()).string();
-    result.what   = in.path();
-    result.scale  = in["Scale"].positive();
-    result.parts  = read_parts(*this);
-    result.planes = read_planes(*this);
-    return result;
-  }
-
-
-
-  // The entries of thin walls.
-
-  namespace
-  {
     /// Throws InputError unless @p walls leave some of @p extension (@p named).
     void
     check_walls_fit(const std::vector<double> &walls,
@@ -438,6 +343,97 @@ namespace lamella
       return {web_entry, flange_entry};
     }
   } // namespace
+
+
+
+  Laminate
+  ShapeReader::laminate() const
+  {
+    Laminate result;
+    result.width         = in["Width"].positive();
+    result.angles        = parse_layup(in["Layup"]);
+    const unsigned int n = result.angles.size();
+    result.cells_per_ply =
+      one_per_ply(counts("Cells per ply"), n, in["Cells per ply"]);
+    read_pieces(result, *this);
+    result.thicknesses =
+      one_per_ply(lengths("Ply thickness"), n, in["Ply thickness"]);
+
+    const Entry              entry = in["Ply materials"];
+    std::vector<std::string> names = entry.items();
+    if (names.empty() && materials.size() == 1)
+      names = materials;
+    if (names.empty())
+      entry.refuse_missing("shape.material-missing: write a material: " +
+                           joined(materials) + ", or one for each ply.");
+    for (const std::string &name : names)
+      material(entry, name);
+    result.materials = one_per_ply(names, n, entry);
+    return result;
+  }
+
+
+
+  HalfDisc
+  ShapeReader::half_disc() const
+  {
+    HalfDisc result;
+    result.radius         = in["Radius"].positive();
+    result.graded_towards = in["Graded towards"].number();
+    if (!(result.graded_towards >= 30. && result.graded_towards <= 150.))
+      in["Graded towards"].refuse(
+        "shape.angle-out-of-range: the angle must lie between 30 and 150 "
+        "degrees; 90 is the top of the arc");
+    const Entry finest = in["Finest cell"];
+    result.finest_cell =
+      finest.is_empty() ? result.radius / 8. : finest.positive();
+    if (!(result.finest_cell <= result.radius &&
+          result.finest_cell >= 1e-6 * result.radius))
+      finest.refuse("shape.invalid-finest-cell: the cell size must lie between "
+                    "a millionth of Radius and Radius, which is " +
+                    to_text(result.radius));
+    result.sectors = count("Sectors");
+    if (result.sectors % 4 != 0)
+      in["Sectors"].refuse(
+        "shape.not-multiple-of-four: Sectors must be a multiple of 4, as 8");
+    result.oriented_material = oriented_material();
+    return result;
+  }
+
+
+
+  Ellipse
+  ShapeReader::ellipse() const
+  {
+    Ellipse result;
+    result.width       = in["Width"].positive();
+    result.height      = in["Height"].positive();
+    result.refinements = in["Refinements"].whole(0, max_ellipse_refinements);
+    result.oriented_material = oriented_material();
+    return result;
+  }
+
+
+
+  SectionFile
+  ShapeReader::file(const std::string &folder) const
+  {
+    const Entry name = in["File"];
+    if (name.is_empty())
+      name.refuse_missing(
+        "shape.file-missing: write the name of a mesh file of Gmsh, for example beam.msh.");
+    SectionFile result;
+    result.path   = (std::filesystem::path(folder) / name.text()).string();
+    result.what   = in.path();
+    result.scale  = in["Scale"].positive();
+    result.parts  = read_parts(*this);
+    result.planes = read_planes(*this);
+    return result;
+  }
+
+
+
+  // The entries of thin walls.
 
 
 

@@ -105,6 +105,104 @@ namespace lamella
             C[kept[i]][kept[j]] - C[kept[i]][zz] * C[zz][kept[j]] / C[zz][zz];
       return Q;
     }
+
+
+
+    /// The kind of each alternative of SectionShape.
+    struct KindOf
+    {
+      ShapeKind
+      operator()(const Laminate &) const
+      {
+        return ShapeKind::laminate;
+      }
+
+      ShapeKind
+      operator()(const HalfDisc &) const
+      {
+        return ShapeKind::half_disc;
+      }
+
+      ShapeKind
+      operator()(const Ellipse &) const
+      {
+        return ShapeKind::ellipse;
+      }
+
+      ShapeKind
+      operator()(const ThinWalled &walls) const
+      {
+        return walls.form;
+      }
+
+      ShapeKind
+      operator()(const Tube &) const
+      {
+        return ShapeKind::tube;
+      }
+
+      ShapeKind
+      operator()(const SectionFile &) const
+      {
+        return ShapeKind::file;
+      }
+    };
+
+
+
+    /// The one ply of a homogeneous section between @p bottom and @p top.
+    Ply
+    single_ply(const OrientedMaterial &oriented_material,
+               const double            top,
+               const Materials        &materials)
+    {
+      return {oriented_material.material,
+              oriented_material.angle,
+              0.,
+              top,
+              materials.at(oriented_material.material)};
+    }
+
+
+
+    /// Polar coordinates (r, angle) of an ellipse about a center, r = 1 on its
+    /// edge. Unlike EllipticalManifold's they include the circle.
+    class EllipseManifold : public ChartManifold<2, 2, 2>
+    {
+    public:
+      /// With half the extensions @p axes.
+      EllipseManifold(const Point<2> &center, const Tensor<1, 2> &axes)
+        : ChartManifold<2, 2, 2>(Point<2>(0., 2. * numbers::PI))
+        , center(center)
+        , axes(axes)
+      {}
+
+      std::unique_ptr<Manifold<2, 2>>
+      clone() const override
+      {
+        return std::make_unique<EllipseManifold>(center, axes);
+      }
+
+      Point<2>
+      pull_back(const Point<2> &x) const override
+      {
+        const Point<2> p((x[0] - center[0]) / axes[0],
+                         (x[1] - center[1]) / axes[1]);
+        const double   angle = std::atan2(p[1], p[0]);
+        return {p.norm(), angle < 0. ? angle + 2. * numbers::PI : angle};
+      }
+
+      Point<2>
+      push_forward(const Point<2> &chart) const override
+      {
+        return {center[0] + axes[0] * chart[0] * std::cos(chart[1]),
+                center[1] + axes[1] * chart[0] * std::sin(chart[1])};
+      }
+
+    private:
+      Point<2>     center;
+      Tensor<1, 2> axes;
+    };
   } // namespace
 
 
@@ -161,115 +259,11 @@ namespace lamella
 
 
 
-  namespace
-  {
-    /// The kind of each alternative of SectionShape.
-    struct KindOf
-    {
-      ShapeKind
-      operator()(const Laminate &) const
-      {
-        return ShapeKind::laminate;
-      }
-
-      ShapeKind
-      operator()(const HalfDisc &) const
-      {
-        return ShapeKind::half_disc;
-      }
-
-      ShapeKind
-      operator()(const Ellipse &) const
-      {
-        return ShapeKind::ellipse;
-      }
-
-      ShapeKind
-      operator()(const ThinWalled &walls) const
-      {
-        return walls.form;
-      }
-
-      ShapeKind
-      operator()(const Tube &) const
-      {
-        return ShapeKind::tube;
-      }
-
-      ShapeKind
-      operator()(const SectionFile &) const
-      {
-        return ShapeKind::file;
-      }
-    };
-  } // namespace
-
-
-
   ShapeKind
   kind_of(const SectionShape &shape)
   {
     return std::visit(KindOf(), shape);
   }
-
-
-
-  namespace
-  {
-    /// The one ply of a homogeneous section between @p bottom and @p top.
-    Ply
-    single_ply(const OrientedMaterial &oriented_material,
-               const double            top,
-               const Materials        &materials)
-    {
-      return {oriented_material.material,
-              oriented_material.angle,
-              0.,
-              top,
-              materials.at(oriented_material.material)};
-    }
-
-
-
-    /// Polar coordinates (r, angle) of an ellipse about a center, r = 1 on its
-    /// edge. Unlike EllipticalManifold's they include the circle.
-    class EllipseManifold : public ChartManifold<2, 2, 2>
-    {
-    public:
-      /// With half the extensions @p axes.
-      EllipseManifold(const Point<2> &center, const Tensor<1, 2> &axes)
-        : ChartManifold<2, 2, 2>(Point<2>(0., 2. * numbers::PI))
-        , center(center)
-        , axes(axes)
-      {}
-
-      std::unique_ptr<Manifold<2, 2>>
-      clone() const override
-      {
-        return std::make_unique<EllipseManifold>(center, axes);
-      }
-
-      Point<2>
-      pull_back(const Point<2> &x) const override
-      {
-        const Point<2> p((x[0] - center[0]) / axes[0],
-                         (x[1] - center[1]) / axes[1]);
-        const double   angle = std::atan2(p[1], p[0]);
-        return {p.norm(), angle < 0. ? angle + 2. * numbers::PI : angle};
-      }
-
-      Point<2>
-      push_forward(const Point<2> &chart) const override
-      {
-        return {center[0] + axes[0] * chart[0] * std::cos(chart[1]),
-                center[1] + axes[1] * chart[0] * std::sin(chart[1])};
-      }
-
-    private:
-      Point<2>     center;
-      Tensor<1, 2> axes;
-    };
-  } // namespace
 
 
 

@@ -15,6 +15,16 @@ namespace lamella
     // A value, its column in the matrix and in the pattern that it comes from,
     // and the half of it that a solver asks for in its own format.
     constexpr double bytes_per_entry = 8. + 4. + 4. + 8.;
+
+
+
+    std::string
+    remedies(const bool nodal)
+    {
+      return "Use a coarser mesh, a lower order" +
+             std::string(nodal ? ", Linear solver = cg" : "") +
+             " or more machines.";
+    }
   } // namespace
 
 
@@ -45,19 +55,6 @@ namespace lamella
                                        ""),
                        remedy);
   }
-
-
-
-  namespace
-  {
-    std::string
-    remedies(const bool nodal)
-    {
-      return "Use a coarser mesh, a lower order" +
-             std::string(nodal ? ", Linear solver = cg" : "") +
-             " or more machines.";
-    }
-  } // namespace
 
 
 

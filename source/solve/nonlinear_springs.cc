@@ -60,6 +60,90 @@ namespace lamella
           springs[b].emplace_back(row, share * stiffness);
       return springs;
     }
+
+
+
+    /// The rows R of check_supports(): sqrt(k) r of each spring, as a load.
+    std::vector<BlockVector>
+    loads_of_springs(const Structure &structure,
+                     const double     regularization_factor)
+    {
+      std::vector<BlockVector> loads;
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        for (const auto &[row, stiffness] : structure.spring_terms(b))
+          {
+            loads.push_back(structure.zero());
+            row.add_to(loads.back().block(b),
+                       std::sqrt(regularization_factor * stiffness));
+          }
+      return loads;
+    }
+
+
+
+    /// Smallest eigenvalue of the symmetric part of @p A with its eigenvector.
+    /// By LAPACK; the dimension is the number of springs.
+    std::pair<double, Vector>
+    least_of(const dealii::FullMatrix<double> &A)
+    {
+      constexpr double infinity = std::numeric_limits<double>::max();
+      dealii::LAPACKFullMatrix<double> matrix(A.m(), A.n());
+      for (unsigned int i = 0; i < A.m(); ++i)
+        for (unsigned int j = 0; j < A.n(); ++j)
+          matrix(i, j) = 0.5 * (A(i, j) + A(j, i));
+      Vector                     values;
+      dealii::FullMatrix<double> vectors;
+      matrix.compute_eigenvalues_symmetric(
+        -infinity, infinity, 0., values, vectors);
+      Vector first(A.m());
+      for (unsigned int i = 0; i < A.m(); ++i)
+        first[i] = vectors(i, 0);
+      return {values[0], first};
+    }
+
+
+
+    /// Norm of loads plus sum of the contact forces of @p state at @p to.
+    double
+    size_of_forces(const Structure  &structure,
+                   const State      &state,
+                   const LoadFactor &to)
+    {
+      double size = structure.load(to, state.u).l2_norm();
+      for (const double force : state.force)
+        size += std::abs(force);
+      return size;
+    }
+
+
+
+    /// Displacements due to each of @p loads about the state of @p about, with
+    /// the active @p rows of @p state held. Displacements K_c^-1 f with active
+    /// constraints fixed.
+    std::vector<BlockVector>
+    answers(const TangentOperator          &about,
+            const GapConstraints           &rows,
+            const State                    &state,
+            const std::vector<BlockVector> &loads)
+    {
+      std::vector<BlockVector> found;
+      if (state.active.empty())
+        {
+          for (const BlockVector &load : loads)
+            found.push_back(about.solve(load));
+          return found;
+        }
+      const auto strategy = make_strategy(Strategy::condensed, about, rows);
+      const ActiveConstraints closed = active_equations(rows, state);
+      const Vector            held(closed.numbers.size());
+      Vector                  forces;
+      for (const BlockVector &load : loads)
+        {
+          found.push_back(about.of().zero());
+          strategy->solve(closed, load, held, found.back(), forces);
+        }
+      return found;
+    }
   } // namespace
 
 
@@ -161,93 +245,6 @@ namespace lamella
         row.add_to(f.block(b),
                    regularization_factor * stiffness * row(w.block(b)));
   }
-
-
-
-  namespace
-  {
-    /// The rows R of check_supports(): sqrt(k) r of each spring, as a load.
-    std::vector<BlockVector>
-    loads_of_springs(const Structure &structure,
-                     const double     regularization_factor)
-    {
-      std::vector<BlockVector> loads;
-      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-        for (const auto &[row, stiffness] : structure.spring_terms(b))
-          {
-            loads.push_back(structure.zero());
-            row.add_to(loads.back().block(b),
-                       std::sqrt(regularization_factor * stiffness));
-          }
-      return loads;
-    }
-
-
-
-    /// Smallest eigenvalue of the symmetric part of @p A with its eigenvector.
-    /// By LAPACK; the dimension is the number of springs.
-    std::pair<double, Vector>
-    least_of(const dealii::FullMatrix<double> &A)
-    {
-      constexpr double infinity = std::numeric_limits<double>::max();
-      dealii::LAPACKFullMatrix<double> matrix(A.m(), A.n());
-      for (unsigned int i = 0; i < A.m(); ++i)
-        for (unsigned int j = 0; j < A.n(); ++j)
-          matrix(i, j) = 0.5 * (A(i, j) + A(j, i));
-      Vector                     values;
-      dealii::FullMatrix<double> vectors;
-      matrix.compute_eigenvalues_symmetric(
-        -infinity, infinity, 0., values, vectors);
-      Vector first(A.m());
-      for (unsigned int i = 0; i < A.m(); ++i)
-        first[i] = vectors(i, 0);
-      return {values[0], first};
-    }
-
-
-
-    /// Norm of loads plus sum of the contact forces of @p state at @p to.
-    double
-    size_of_forces(const Structure  &structure,
-                   const State      &state,
-                   const LoadFactor &to)
-    {
-      double size = structure.load(to, state.u).l2_norm();
-      for (const double force : state.force)
-        size += std::abs(force);
-      return size;
-    }
-
-
-
-    /// Displacements due to each of @p loads about the state of @p about, with
-    /// the active @p rows of @p state held. Displacements K_c^-1 f with active
-    /// constraints fixed.
-    std::vector<BlockVector>
-    answers(const TangentOperator          &about,
-            const GapConstraints           &rows,
-            const State                    &state,
-            const std::vector<BlockVector> &loads)
-    {
-      std::vector<BlockVector> found;
-      if (state.active.empty())
-        {
-          for (const BlockVector &load : loads)
-            found.push_back(about.solve(load));
-          return found;
-        }
-      const auto strategy = make_strategy(Strategy::condensed, about, rows);
-      const ActiveConstraints closed = active_equations(rows, state);
-      const Vector            held(closed.numbers.size());
-      Vector                  forces;
-      for (const BlockVector &load : loads)
-        {
-          found.push_back(about.of().zero());
-          strategy->solve(closed, load, held, found.back(), forces);
-        }
-      return found;
-    }
-  } // namespace
 
 
 

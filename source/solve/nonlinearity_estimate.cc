@@ -3,16 +3,12 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/body/second_order.h>
-#include <lamella/solve/linear_system.h>
 #include <lamella/solve/nonlinearity_estimate.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <lamella/solve/small_motions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace lamella
 {
@@ -31,224 +27,17 @@ namespace lamella
 
 
 
-    /// Lanczos' iteration for the largest mu of -K_G v = mu K v, K the
-    /// stiffness that @p solver solves with the active rows of a state. In the
-    /// inner product of K the operator -K^-1 K_G is symmetric, and no product
-    /// with K is needed: with every vector q comes the load K q that made it.
-    class BucklingModes
-    {
-    public:
-      BucklingModes(const Structure                                 &structure,
-                    LinearSystem                                    &solver,
-                    const ActiveConstraints                         &closed,
-                    const std::vector<std::unique_ptr<SecondOrder>> &bodies)
-        : structure(structure)
-        , solver(solver)
-        , closed(closed)
-        , bodies(bodies)
-      {}
-
-      /// Iterates until the largest mu that is no mode of stabilizing springs
-      /// is known to a part in a million or certainly below @p least. Returns
-      /// it with its mode, or none that is at least that. What springs hold of
-      /// the mode is taken off its energy, as Rayleigh's quotient has it.
-      std::optional<std::pair<double, BlockVector>>
-      largest(const double least);
-
-      /// Returns K_G @p v.
-      BlockVector
-      geometric_forces(const BlockVector &v) const;
-
-    private:
-      /// K^-1 @p load with the active rows closed.
-      BlockVector
-      solve(const BlockVector &load);
-      /// Subtracts the parts along all q from @p v, of @p load; returns them.
-      std::vector<double>
-      orthogonalize(BlockVector &v, BlockVector &load) const;
-      /// Makes @p v and its load the next q, unless it has no length.
-      bool
-      append(BlockVector v, BlockVector load);
-      /// Share of stabilizing springs in the (unit) energy of @p mode.
-      double
-      share_of_springs(const BlockVector &mode) const;
-
-      const Structure                                 &structure;
-      LinearSystem                                    &solver;
-      const ActiveConstraints                          closed;
-      const std::vector<std::unique_ptr<SecondOrder>> &bodies;
-      /// Of unit energy q . K q and orthogonal, and K times them.
-      std::vector<BlockVector> q, Kq;
-      /// The length of what the last step found beyond q.
-      double beta = 0.;
-    };
-
-
-
-    BlockVector
-    BucklingModes::solve(const BlockVector &load)
-    {
-      BlockVector du;
-      Vector      gaps(closed.numbers.size()), forces;
-      solver.solve_linear(closed, load, gaps, du, forces);
-      return du;
-    }
-
-
-
-    BlockVector
-    BucklingModes::geometric_forces(const BlockVector &v) const
-    {
-      BlockVector f = structure.zero();
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        bodies[b]->add_geometric_forces(v.block(b), f.block(b));
-      return f;
-    }
-
-
-
-    std::vector<double>
-    BucklingModes::orthogonalize(BlockVector &v, BlockVector &load) const
-    {
-      std::vector<double> parts(q.size(), 0.);
-      for (unsigned int pass = 0; pass < 2; ++pass)
-        for (unsigned int i = 0; i < q.size(); ++i)
-          {
-            const double part = v * Kq[i];
-            v.add(-part, q[i]);
-            load.add(-part, Kq[i]);
-            parts[i] += part;
-          }
-      return parts;
-    }
-
-
-
-    bool
-    BucklingModes::append(BlockVector v, BlockVector load)
-    {
-      const double energy = v * load;
-      if (!(energy > 0.))
-        return false;
-      beta = std::sqrt(energy);
-      v /= beta;
-      load /= beta;
-      q.push_back(std::move(v));
-      Kq.push_back(std::move(load));
-      return true;
-    }
-
-
-
-    double
-    BucklingModes::share_of_springs(const BlockVector &mode) const
-    {
-      double energy = 0.;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        for (const Spring &spring : structure.springs(b))
-          {
-            const double length = spring.row(mode.block(b));
-            energy += spring.stiffness * length * length;
-          }
-      return energy;
-    }
-
-
-
-    std::optional<std::pair<double, BlockVector>>
-    BucklingModes::largest(const double least)
-    {
-      constexpr unsigned int first_look = 4, most_steps = 30;
-      // Of mu; its error is of the square of the residual. What is far away
-      // need not be known as well as what is near.
-      constexpr double settled = 1e-2, settled_far = 0.05;
-      constexpr double of_springs = 0.5,
-                       rounding   = arithmetic::rounding_of_solutions;
-
-      // Forces anywhere excite all modes; what is soft answers most.
-      std::mt19937                           random(1);
-      std::uniform_real_distribution<double> anything(-1., 1.);
-      BlockVector                            load = structure.zero();
-      for (double &force : load)
-        force = anything(random);
-      if (!append(solve(load), load))
-        return {};
-
-      std::vector<std::vector<double>> columns;
-      while (true)
-        {
-          BlockVector next_load = geometric_forces(q.back());
-          next_load *= -1.;
-          BlockVector next = solve(next_load);
-          columns.push_back(orthogonalize(next, next_load));
-          const unsigned int n = columns.size();
-          const bool         is_exhausted =
-            !append(std::move(next), std::move(next_load)) ||
-            beta < rounding * std::abs(columns[0][0]);
-
-          LAPACKFullMatrix<double> T(n, n);
-          for (unsigned int j = 0; j < n; ++j)
-            for (unsigned int i = 0; i <= j; ++i)
-              T(i, j) = T(j, i) = columns[j][i];
-          Vector             mu;
-          FullMatrix<double> s;
-          T.compute_eigenvalues_symmetric(
-            -T.frobenius_norm() - 1., T.frobenius_norm() + 1., 0., mu, s);
-          // Ascending: the largest first that is the bodies' own.
-          for (unsigned int k = n; k-- > 0;)
-            {
-              const double residual =
-                is_exhausted ? 0. : std::abs(beta * s(n - 1, k));
-              const bool is_settled =
-                residual <=
-                (mu[k] < near ? settled_far : settled) * std::abs(mu[k]);
-              if (n >= first_look && mu[k] + residual < least)
-                return {};
-              if (is_exhausted && mu[k] < least)
-                return {};
-              if (!is_settled && n < most_steps)
-                break;
-              BlockVector mode = structure.zero();
-              for (unsigned int i = 0; i < n; ++i)
-                mode.add(s(i, k), q[i]);
-              if (const double held = share_of_springs(mode); held < of_springs)
-                {
-                  if (mu[k] < least)
-                    return {};
-                  return std::make_pair(mu[k] / (1. - held), mode);
-                }
-            }
-          if (is_exhausted || n == most_steps)
-            return {};
-        }
-    }
-
-
-
-    /// s_m of all @p bodies; sets the stiffening of @p found.
+    /// Sets the stiffening of @p found from the energies of linear and membrane
+    /// stresses.
     void
-    find_stiffening(const Structure                                 &structure,
-                    LinearSystem                                    &solver,
-                    const State                                     &state,
-                    const std::vector<double>                       &energies,
-                    const std::vector<std::unique_ptr<SecondOrder>> &bodies,
-                    NonlinearityEstimate                            &found)
+    find_stiffening(const std::vector<double> &energies,
+                    const std::vector<double> &stretched,
+                    NonlinearityEstimate      &found)
     {
-      BlockVector load = structure.zero(), v;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        bodies[b]->add_load(load.block(b));
-      const ActiveConstraints held = solver.sticking_equations(state);
-      Vector                  gaps(held.numbers.size()), forces;
-      solver.solve_linear(held, load, gaps, v, forces);
-
-      std::vector<double> stretched;
-      double              all = 0.;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        {
-          stretched.push_back(bodies[b]->solve(v.block(b)));
-          all += stretched[b] + energies[b];
-        }
-      for (unsigned int b = 0; b < bodies.size(); ++b)
+      const double all =
+        std::accumulate(energies.begin(), energies.end(), 0.) +
+        std::accumulate(stretched.begin(), stretched.end(), 0.);
+      for (unsigned int b = 0; b < energies.size(); ++b)
         if (stretched[b] + energies[b] > share_that_counts * all &&
             energies[b] > 0.)
           if (const double r = 2. * stretched[b] / energies[b];
@@ -257,6 +46,57 @@ namespace lamella
               found.stiffening = r;
               found.stiffened  = b;
             }
+    }
+
+
+
+    /// Returns the first buckling mode and the inverse mu of its factor, unless
+    /// mu is below @p least. A search with springs finds whether there is one:
+    /// 1
+    /// + mu to 1 %. A second one, without springs, finds mu to 1 %, or 5 % far
+    /// from buckling, and a second mode, as one alone may converge to that.
+    std::optional<std::pair<double, BlockVector>>
+    first_buckling_mode(LinearSystem             &solver,
+                        const State              &state,
+                        const GeometricStiffness &geometric,
+                        const double              least)
+    {
+      constexpr unsigned int basis = 5, restarts = 20;
+      const BlockVector      start = random_vector(state.u);
+      using Found       = std::optional<std::pair<double, BlockVector>>;
+      const auto search = [&](const bool               without_springs,
+                              const unsigned int       n,
+                              const LanczosParameters &parameters) -> Found {
+        const SmallMotions motions(
+          solver, state, [](const auto &v) { return v; }, {}, without_springs);
+        if (motions.n_free_dofs() <= parameters.vectors)
+          return {};
+        const Eigenpairs pairs = largest_eigenpairs({[&](const BlockVector &v) {
+                                                       BlockVector f =
+                                                         geometric(v);
+                                                       f *= -1.;
+                                                       return f;
+                                                     },
+                                                     {},
+                                                     [&](const BlockVector &f) {
+                                                       return motions.solve(f);
+                                                     }},
+                                                    start,
+                                                    n,
+                                                    parameters);
+        if (pairs.values.empty() || pairs.values[0] < least)
+          return {};
+        const BlockVector &v = pairs.vectors[0];
+        const double       mu =
+          -(geometric(v) * v) / (motions.times_stiffness(v) * v);
+        return mu >= least ? Found({mu, v}) : Found();
+      };
+      const Found first = search(false, 1, {1e-2, basis, restarts, 1.});
+      return !first ?
+               Found() :
+               search(solver.tangent().of().has_springs(),
+                      2,
+                      {first->first < near ? 5e-2 : 1e-2, 2 * basis, restarts});
     }
 
 
@@ -289,53 +129,9 @@ namespace lamella
         found.amplification = std::abs(along) / std::sqrt(of_mode * of_state) /
                               (*found.buckling_factor - 1.);
     }
-  } // namespace
 
 
 
-  NonlinearityEstimate
-  beyond_linear(const Structure           &structure,
-                LinearSystem              &solver,
-                const State               &state,
-                const std::vector<double> &energies)
-  {
-    NonlinearityEstimate                      found;
-    std::vector<std::unique_ptr<SecondOrder>> bodies;
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      bodies.push_back(structure.bodies()[b]->second_order(state.u.block(b)));
-    find_stiffening(structure, solver, state, energies, bodies, found);
-
-    // What is stretched that far buckles otherwise, if at all.
-    if (found.stiffening > most_stiffening)
-      return found;
-    double least = worth_solving;
-    for (const auto &body : bodies)
-      least = std::max(least, body->largest_short_wave_ratio());
-    BucklingModes modes(structure,
-                        solver,
-                        solver.sticking_equations(state),
-                        bodies);
-    if (const auto buckling = modes.largest(least))
-      {
-        const auto &[mu, mode] = *buckling;
-        found.buckling_factor  = 1. / mu;
-        record_buckling_mode(structure, state, energies, mode, found);
-      }
-    else if (const double energy =
-               std::accumulate(energies.begin(), energies.end(), 0.);
-             energy > 0.)
-      // No mode that was looked for grows by more than `least`.
-      found.amplification =
-        std::clamp(-0.5 * (modes.geometric_forces(state.u) * state.u) / energy,
-                   0.,
-                   least);
-    return found;
-  }
-
-
-
-  namespace
-  {
     /// What stiffens, and how much.
     std::string
     describe_stiffening(const NonlinearityEstimate &found,
@@ -378,6 +174,39 @@ namespace lamella
       return text;
     }
   } // namespace
+
+
+
+  NonlinearityEstimate
+  beyond_linear(const Structure           &structure,
+                LinearSystem              &solver,
+                const State               &state,
+                const std::vector<double> &energies)
+  {
+    NonlinearityEstimate     found;
+    const GeometricStiffness geometric(solver, state);
+    find_stiffening(energies, geometric.membrane_energies(), found);
+
+    // What is stretched that far buckles otherwise, if at all.
+    if (found.stiffening > most_stiffening)
+      return found;
+    const double least =
+      std::max(worth_solving, geometric.largest_short_wave_ratio());
+    if (const auto buckling =
+          first_buckling_mode(solver, state, geometric, least))
+      {
+        const auto &[mu, mode] = *buckling;
+        found.buckling_factor  = 1. / mu;
+        record_buckling_mode(structure, state, energies, mode, found);
+      }
+    else if (const double energy =
+               std::accumulate(energies.begin(), energies.end(), 0.);
+             energy > 0.)
+      // No mode that was looked for grows by more than `least`.
+      found.amplification =
+        std::clamp(-0.5 * (geometric(state.u) * state.u) / energy, 0., least);
+    return found;
+  }
 
 
 

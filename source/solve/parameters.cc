@@ -64,6 +64,35 @@ namespace lamella
         "stress in probes, lines and cuts: rotated with the material, or those "
         "of the scene. s11 ... s23 refer to the rotated ply axes.");
     }
+
+
+
+    Substeps
+    parse_substeps(const Entry &entry)
+    {
+      constexpr unsigned int most    = 1000;
+      constexpr double       percent = 0.01;
+      Substeps               substeps;
+      std::istringstream     words(entry.text());
+      std::string            word, tolerance, more;
+      words >> word >> tolerance >> more;
+      if (word != "auto")
+        {
+          substeps.number = entry.whole(1, most);
+          return substeps;
+        }
+      substeps.number = 0;
+      if (!more.empty())
+        entry.refuse(
+          "solve.substeps-syntax: write a number, auto, or auto with a "
+          "tolerance in per cent, as in auto 0.1");
+      if (!tolerance.empty())
+        substeps.tolerance = percent * entry.number(tolerance);
+      if (!(substeps.tolerance > 0.))
+        entry.refuse(
+          "solve.tolerance-not-positive: tolerances are > 0, as in auto 0.1");
+      return substeps;
+    }
   } // namespace
 
 
@@ -107,38 +136,6 @@ namespace lamella
       "double the stiffness of a body, or loads exceed the buckling load. "
       "refuse: the run ends with an error; accept: a note is printed.");
   }
-
-
-
-  namespace
-  {
-    Substeps
-    parse_substeps(const Entry &entry)
-    {
-      constexpr unsigned int most    = 1000;
-      constexpr double       percent = 0.01;
-      Substeps               substeps;
-      std::istringstream     words(entry.text());
-      std::string            word, tolerance, more;
-      words >> word >> tolerance >> more;
-      if (word != "auto")
-        {
-          substeps.number = entry.whole(1, most);
-          return substeps;
-        }
-      substeps.number = 0;
-      if (!more.empty())
-        entry.refuse(
-          "solve.substeps-syntax: write a number, auto, or auto with a "
-          "tolerance in per cent, as in auto 0.1");
-      if (!tolerance.empty())
-        substeps.tolerance = percent * entry.number(tolerance);
-      if (!(substeps.tolerance > 0.))
-        entry.refuse(
-          "solve.tolerance-not-positive: tolerances are > 0, as in auto 0.1");
-      return substeps;
-    }
-  } // namespace
 
 
 

@@ -143,38 +143,9 @@ namespace lamella
           "to " +
           to_text(100. * large_strain, 2) + " %. Reduce the loads.");
     }
-  } // namespace
 
 
 
-  void
-  check_solution(const State  &state,
-                 const Checks &checks,
-                 const double  rotation_limit)
-  {
-    check_no_springs(checks);
-    check_correction(state);
-    check_balance(checks);
-    for (const KktResidual &contact : checks.contacts)
-      check_contact_law(contact, checks.max_displacement, state.rounding());
-    if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
-      throw NumericsError(
-        "solve.not-finite: The solution is not finite. Check the loads.");
-    if (checks.is_large)
-      check_small_strain(checks);
-    else if (checks.max_rotation > rotation_limit)
-      throw NumericsError(
-        "solve.rotation-limit: Rotations reach " +
-        to_text(checks.max_rotation, 3) + " rad, beyond Rotation limit = " +
-        to_text(rotation_limit) + ": " + rotation_remedy(checks.max_rotation) +
-        "linear kinematics is not valid here. Use Rotations = large, reduce "
-        "the loads, or raise the limit to accept the linear result.");
-  }
-
-
-
-  namespace
-  {
     void
     add_contact_warnings(const ContactInterface   &contact,
                          const KktResidual        &kkt,
@@ -269,6 +240,32 @@ namespace lamella
           " times as many Axis elements there (10 degrees each)");
     }
   } // namespace
+
+
+
+  void
+  check_solution(const State  &state,
+                 const Checks &checks,
+                 const double  rotation_limit)
+  {
+    check_no_springs(checks);
+    check_correction(state);
+    check_balance(checks);
+    for (const KktResidual &contact : checks.contacts)
+      check_contact_law(contact, checks.max_displacement, state.rounding());
+    if (!std::isfinite(checks.max_rotation) || !std::isfinite(checks.energy))
+      throw NumericsError(
+        "solve.not-finite: The solution is not finite. Check the loads.");
+    if (checks.is_large)
+      check_small_strain(checks);
+    else if (checks.max_rotation > rotation_limit)
+      throw NumericsError(
+        "solve.rotation-limit: Rotations reach " +
+        to_text(checks.max_rotation, 3) + " rad, beyond Rotation limit = " +
+        to_text(rotation_limit) + ": " + rotation_remedy(checks.max_rotation) +
+        "linear kinematics is not valid here. Use Rotations = large, reduce "
+        "the loads, or raise the limit to accept the linear result.");
+  }
 
 
 

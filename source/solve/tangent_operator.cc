@@ -193,6 +193,22 @@ namespace lamella
               off /
                 (combined * (second_order + arithmetic::same_position * size))};
     }
+
+
+
+    /// Returns the callbacks of @p monitor for the solver of @p body.
+    SolverMonitor
+    of_body(const Body &body, const TangentOperator::BodyMonitor &monitor)
+    {
+      SolverMonitor result;
+      if (monitor.assembled)
+        result.assembled = [&] { monitor.assembled(body); };
+      if (monitor.factor_sized)
+        result.factor_sized = [&](const FactorSize &size) {
+          monitor.factor_sized(body, size);
+        };
+      return result;
+    }
   } // namespace
 
 
@@ -219,25 +235,6 @@ namespace lamella
       }
     return worst;
   }
-
-
-
-  namespace
-  {
-    /// Returns the callbacks of @p monitor for the solver of @p body.
-    SolverMonitor
-    of_body(const Body &body, const TangentOperator::BodyMonitor &monitor)
-    {
-      SolverMonitor result;
-      if (monitor.assembled)
-        result.assembled = [&] { monitor.assembled(body); };
-      if (monitor.factor_sized)
-        result.factor_sized = [&](const FactorSize &size) {
-          monitor.factor_sized(body, size);
-        };
-      return result;
-    }
-  } // namespace
 
 
 

@@ -89,92 +89,9 @@ namespace lamella
         }
       return 0.5 * (low + high);
     }
-  } // namespace
 
 
 
-  std::pair<double, double>
-  FailureSurface::action_plane(const Voigt &stress) const
-  {
-    // All planes stand in half a turn. Maxima are wider than two steps; of
-    // those that are near the largest each is refined by the golden section.
-    constexpr unsigned int n    = 36;
-    constexpr double       step = numbers::PI / n;
-    constexpr double       near = 0.9;
-
-    std::array<double, n> f;
-    for (unsigned int i = 0; i < n; ++i)
-      f[i] = exposure(stress, i * step);
-    const double largest = *std::max_element(f.begin(), f.end());
-    // The two faces of a plane are one.
-    std::pair<double, double> best{-1., 0.};
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        if (f[i] < near * largest || f[i] < f[(i + 1) % n] ||
-            f[i] < f[(i + n - 1) % n])
-          continue;
-        const auto refined = largest_between((i - 1.) * step,
-                                             (i + 1.) * step,
-                                             [&](const double angle) {
-                                               return exposure(stress, angle);
-                                             });
-        // The grid has planes that rounding must not miss, as that at 0.
-        for (const auto &[value, angle] :
-             {std::make_pair(f[i], i * step), refined})
-          if (value > best.first * (1. + arithmetic::rounding))
-            best = {value, angle};
-      }
-    if (best.second > 0.5 * numbers::PI)
-      best.second -= numbers::PI;
-    return best;
-  }
-
-
-
-  Assessment
-  FailureSurface::assess_planes(const Voigt &mechanical,
-                                const Voigt &residual) const
-  {
-    constexpr double nothing = 1e-6;
-    const auto       at      = [&](const double R) {
-      return action_plane(R * mechanical + residual).first;
-    };
-    const auto [f, angle] = action_plane(mechanical + residual);
-    Assessment result{f, {}, "", angle};
-    double     R = 1.;
-    if (residual.norm() == 0.)
-      {
-        if (f > nothing)
-          result.reserve = 1. / f;
-      }
-    else if (const double alone = action_plane(mechanical).first; at(0.) >= 1.)
-      result.reserve = 0.;
-    else if (alone > nothing)
-      {
-        double end = (1. + action_plane(-residual).first) / alone;
-        while (at(end) < 1.)
-          end *= 2.;
-        result.reserve = root_before(at, end);
-      }
-    if (result.reserve)
-      R = *result.reserve;
-    // The plane is that of the stress that fails.
-    const Voigt  fails = R * mechanical + residual;
-    const double plane =
-      residual.norm() == 0. ? angle : action_plane(fails).second;
-    const double c = std::cos(plane), z = std::sin(plane);
-    const double normal =
-      fails[1] * c * c + fails[2] * z * z + 2. * fails[5] * c * z;
-    result.mode =
-      normal >= 0. ? "inter-fiber tension" : "inter-fiber compression";
-    result.angle = plane * 180. / numbers::PI;
-    return result;
-  }
-
-
-
-  namespace
-  {
     double
     square(const double x)
     {
@@ -392,6 +309,86 @@ namespace lamella
               {"core shear 23", {}, unit(5, -1. / core.shear_23)}};
     }
   } // namespace
+
+
+
+  std::pair<double, double>
+  FailureSurface::action_plane(const Voigt &stress) const
+  {
+    // All planes stand in half a turn. Maxima are wider than two steps; of
+    // those that are near the largest each is refined by the golden section.
+    constexpr unsigned int n    = 36;
+    constexpr double       step = numbers::PI / n;
+    constexpr double       near = 0.9;
+
+    std::array<double, n> f;
+    for (unsigned int i = 0; i < n; ++i)
+      f[i] = exposure(stress, i * step);
+    const double largest = *std::max_element(f.begin(), f.end());
+    // The two faces of a plane are one.
+    std::pair<double, double> best{-1., 0.};
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (f[i] < near * largest || f[i] < f[(i + 1) % n] ||
+            f[i] < f[(i + n - 1) % n])
+          continue;
+        const auto refined = largest_between((i - 1.) * step,
+                                             (i + 1.) * step,
+                                             [&](const double angle) {
+                                               return exposure(stress, angle);
+                                             });
+        // The grid has planes that rounding must not miss, as that at 0.
+        for (const auto &[value, angle] :
+             {std::make_pair(f[i], i * step), refined})
+          if (value > best.first * (1. + arithmetic::rounding))
+            best = {value, angle};
+      }
+    if (best.second > 0.5 * numbers::PI)
+      best.second -= numbers::PI;
+    return best;
+  }
+
+
+
+  Assessment
+  FailureSurface::assess_planes(const Voigt &mechanical,
+                                const Voigt &residual) const
+  {
+    constexpr double nothing = 1e-6;
+    const auto       at      = [&](const double R) {
+      return action_plane(R * mechanical + residual).first;
+    };
+    const auto [f, angle] = action_plane(mechanical + residual);
+    Assessment result{f, {}, "", angle};
+    double     R = 1.;
+    if (residual.norm() == 0.)
+      {
+        if (f > nothing)
+          result.reserve = 1. / f;
+      }
+    else if (const double alone = action_plane(mechanical).first; at(0.) >= 1.)
+      result.reserve = 0.;
+    else if (alone > nothing)
+      {
+        double end = (1. + action_plane(-residual).first) / alone;
+        while (at(end) < 1.)
+          end *= 2.;
+        result.reserve = root_before(at, end);
+      }
+    if (result.reserve)
+      R = *result.reserve;
+    // The plane is that of the stress that fails.
+    const Voigt  fails = R * mechanical + residual;
+    const double plane =
+      residual.norm() == 0. ? angle : action_plane(fails).second;
+    const double c = std::cos(plane), z = std::sin(plane);
+    const double normal =
+      fails[1] * c * c + fails[2] * z * z + 2. * fails[5] * c * z;
+    result.mode =
+      normal >= 0. ? "inter-fiber tension" : "inter-fiber compression";
+    result.angle = plane * 180. / numbers::PI;
+    return result;
+  }
 
 
 

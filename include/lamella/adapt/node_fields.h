@@ -94,7 +94,8 @@ namespace lamella
   /// - Nodes near interactions also have the responses (SectionResponse) to
   ///   their section load vectors, harmonic along y with N wave numbers.
   /// - Nodes elsewhere also have the responses to LocalInteraction::smooth of
-  ///   all interactions, harmonic and constant along y.
+  ///   all interactions and, in bodies with inertia, to inertial forces,
+  ///   harmonic and constant along y.
   /// - Nodes near clamps and heated free ends also have boundary-layer modes.
   /// In segments of `Theories`, nodes of SV have rigid displacements and
   /// warpings only, and nodes of LE-q have section functions up to degree q. If

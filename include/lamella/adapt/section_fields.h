@@ -17,6 +17,17 @@
 
 namespace lamella
 {
+  /// Loads along the whole axis of bodies with one section.
+  struct LoadsAlongAxis
+  {
+    /// Thermal loads, constant along the axis.
+    std::vector<Beam::SectionThermalLoad> heat;
+    /// Load vectors of gravity, constant along the axis.
+    std::vector<Vector> weights;
+    /// Inertial forces (Beam::section_inertia()), harmonic along the axis.
+    std::vector<Vector> inertia;
+  };
+
   /// The section functions of reduced beam models (SV-N) for bodies with one
   /// section and theory. Each group has the functions from the load vectors of
   /// one interaction, or the boundary-layer modes of a zone near an end.
@@ -24,14 +35,12 @@ namespace lamella
   {
   public:
     /// Computes the Saint-Venant states and warpings of @p section, and its
-    /// section functions from constant loads along the axis: thermal loads @p
-    /// heat and load vectors @p weights of gravity. Throws NumericsError if the
-    /// section matrices are singular.
-    SectionFields(std::shared_ptr<const Section>               section,
-                  const Theory                                &theory,
-                  const FieldRules                            &rules,
-                  const std::vector<Beam::SectionThermalLoad> &heat    = {},
-                  const std::vector<Vector>                   &weights = {});
+    /// section functions from the loads @p all along the axis. Throws
+    /// NumericsError if the section matrices are singular.
+    SectionFields(std::shared_ptr<const Section> section,
+                  const Theory                  &theory,
+                  const FieldRules              &rules,
+                  const LoadsAlongAxis          &all = {});
 
     /// Returns the index of the group for the load vectors of @p interaction,
     /// which is added if no group has the same load vectors.

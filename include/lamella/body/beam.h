@@ -109,16 +109,22 @@ namespace lamella
 
     void
     add_internal_forces(const Vector &u, Vector &f) const override;
-    /// Returns the solver of factorize_blocks(), with a block per axis node, if
-    /// @p requested is `automatic`, there is one process, and the functions of
-    /// all nodes are dense (SectionSpace). Otherwise returns that of
-    /// Body::solver_of().
     /// Calls @p use with each stiffness row that this process owns.
     void
     for_each_stiffness_block(const Vector        &u,
                              const Vector        &correction,
                              const bool           with_values,
                              const BlockCallback &use) const override;
+    /// Calls @p use with each row of the Kronecker product of int N_i N_j dy
+    /// and int rho Phi_alpha . Phi_beta dA that this process owns.
+    void
+    for_each_mass_block(const Vector        &u,
+                        const bool           with_values,
+                        const BlockCallback &use) const override;
+    /// Returns the solver of factorize_blocks(), with a block per axis node, if
+    /// @p requested is `automatic`, there is one process, and the functions of
+    /// all nodes are dense (SectionSpace). Otherwise returns that of
+    /// Body::solver_of().
     std::unique_ptr<LinearSolver>
     solver_of(const StiffnessTerms &terms,
               const Constraints    &constraints,
@@ -134,9 +140,6 @@ namespace lamella
     heat(const ScalarField &change) override;
     double
     add_thermal_load(const Vector &u, Vector &f) const override;
-    void
-    add_weight(const dealii::Tensor<1, 3> &acceleration,
-               Vector                     &f) const override;
     const std::vector<Ply> &
     plies() const override
     {
@@ -157,6 +160,11 @@ namespace lamella
     /// Phi dA, for @p acceleration g in scene axes.
     Vector
     section_weight(const dealii::Tensor<1, 3> &acceleration) const;
+    /// Returns for each rigid section function R (RigidField) the inertial
+    /// force per length and unit acceleration on each section function Phi, int
+    /// rho R . Phi dA.
+    std::vector<Vector>
+    section_inertia() const;
 
     std::vector<std::vector<Location>>
     locate(const std::vector<dealii::Point<3>> &points) const override;
@@ -195,8 +203,6 @@ namespace lamella
     constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
-    /// Returns the facets of the ends, one per section cell, followed by the
-    /// facets of lateral surfaces.
     /// Returns the facets of @p surface with node numbers (section node) *
     /// (number of axis nodes) + axis node. Adjacent section cells share nodes.
     SurfaceTopology
@@ -215,8 +221,6 @@ namespace lamella
     cut(const double       position,
         const unsigned int n,
         const Vector      &u) const override;
-    /// Returns the degree along the axis and min(trace_degree(), max(degree(),
-    /// 3)) of CrossSectionElement in the section.
     /// Calls @p use with each output element, numbered (index among this
     /// process's axis elements) * (number of section cells) + section cell.
     /// Section functions are computed once per section point.
@@ -320,6 +324,13 @@ namespace lamella
     }
 
   private:
+    /// Calls @p use with the rows that this process owns of the sum of the
+    /// Kronecker products of axis matrices and @p on_section.
+    void
+    for_each_product_row(const std::vector<FactorRow> &on_section,
+                         const bool                    with_values,
+                         const BlockCallback          &use) const;
+
     friend class BeamSecondOrder;
     friend class BeamGeometricStiffness;
 

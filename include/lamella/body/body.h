@@ -435,9 +435,10 @@ namespace lamella
     {}
 
     /// Adds the load vector of the weight to @p f, f . u = integral rho g . u
-    /// dV with the density rho and g = @p acceleration [length / s^2]. Throws
-    /// InputError if a ply has no density. Collective.
-    virtual void
+    /// dV with the density rho and g = @p acceleration [length / s^2], the
+    /// product of the mass matrix and a rigid acceleration. Throws InputError
+    /// if a ply has no density. Collective.
+    void
     add_weight(const dealii::Tensor<1, 3> &acceleration, Vector &f) const;
 
     /// Returns the plies (of one material and fiber angle) of the section.
@@ -589,6 +590,17 @@ namespace lamella
                              const Vector        &correction,
                              const bool           with_values,
                              const BlockCallback &use) const = 0;
+
+    /// Calls @p use with the blocks of this process that sum to the mass matrix
+    /// M = int rho R^T R dV, with the displacement functionals R = rows(.., @p
+    /// u) and the density rho [force s^2 / length]. If @p with_values is false,
+    /// blocks have only DoFs. Throws as densities() does. This default
+    /// implementation has one Gauss point more than Cells::output_degrees per
+    /// coordinate; beams have Kronecker products.
+    virtual void
+    for_each_mass_block(const Vector        &u,
+                        const bool           with_values,
+                        const BlockCallback &use) const;
 
     /// Returns a solver for the sum of @p terms with the homogeneous
     /// @p constraints, which must include kinematic_constraints(). @p monitor

@@ -117,6 +117,26 @@ namespace lamella
   std::vector<double>
   densities(const Body &body);
 
+  /// Mass, first and second moments of bodies about the scene origin.
+  struct Inertia
+  {
+    double               mass = 0.;       ///< int rho dV [force s^2 / length].
+    dealii::Tensor<1, 3> first;           ///< int rho x dV.
+    dealii::SymmetricTensor<2, 3> second; ///< int rho x x^T dV.
+
+    /// Returns the center of mass; the origin without mass.
+    dealii::Point<3>
+    center() const;
+    /// Returns the moments of inertia about the center of mass,
+    /// int rho (|r|^2 1 - r r^T) dV with r = x - center().
+    dealii::SymmetricTensor<2, 3>
+    about_center() const;
+  };
+
+  /// Returns the inertia of @p bodies. Throws as densities() does. Collective.
+  Inertia
+  inertia_of(const Bodies &bodies);
+
   /// A callback with the Gauss points of an element and a force at each.
   using ForcesCallback =
     std::function<void(const std::vector<Location> &,

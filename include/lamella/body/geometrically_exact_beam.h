@@ -83,6 +83,15 @@ namespace lamella
                              const Vector        &correction,
                              const bool           with_values,
                              const BlockCallback &use) const override;
+    /// Calls @p use with element blocks at @p u (Body::for_each_mass_block()):
+    /// displacements are nonlinear in the rotations.
+    void
+    for_each_mass_block(const Vector        &u,
+                        const bool           with_values,
+                        const BlockCallback &use) const override
+    {
+      Body::for_each_mass_block(u, with_values, use);
+    }
     Deformation
     deformation(const Vector &u) const override;
     double

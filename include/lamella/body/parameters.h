@@ -58,6 +58,8 @@ namespace lamella
     bool is_held = false;
     /// True for finite rotations, false for small displacements and rotations.
     bool has_finite_rotations = false;
+    /// True if the analysis includes inertial forces (Find = modes).
+    bool has_inertia = false;
     /// Refinement of the hexahedra of a solid; unused for beams.
     SolidRefinement refinement;
   };

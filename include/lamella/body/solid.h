@@ -87,8 +87,9 @@ namespace lamella
     double
     add_thermal_load(const Vector &u, Vector &f) const override;
     void
-    add_weight(const dealii::Tensor<1, 3> &acceleration,
-               Vector                     &f) const override;
+    for_each_mass_block(const Vector        &u,
+                        const bool           with_values,
+                        const BlockCallback &use) const override;
     const std::vector<Ply> &
     plies() const override
     {

@@ -9,6 +9,7 @@
 #include <lamella/linear/linear_solver.h>
 #include <lamella/recover/goal_result.h>
 #include <lamella/solve/checks.h>
+#include <lamella/solve/modes.h>
 #include <lamella/solve/phase.h>
 
 #include <deal.II/base/point.h>
@@ -270,6 +271,10 @@ namespace lamella
     std::vector<std::string> endnotes; ///< Notes printed after all warnings.
     /// First ply failure; empty if the scene does not request the search.
     std::optional<FirstFailure> first_failure;
+    /// Natural modes about the last load step; empty if not requested.
+    std::optional<NaturalModes> natural_modes;
+    /// Buckling modes of the last loads, factors ascending.
+    std::vector<Mode> buckling_modes;
     /// Values of the quantities of subsection Goals in the last load step.
     std::map<std::string, double> quantities;
     /// Quantities of interest with error estimates; empty if not estimated.

@@ -88,6 +88,10 @@ namespace lamella
     /// Writes VTU files of bodies and contacts, and their collections.
     void
     write_vtu_files(const StepResults &step);
+    /// Writes VTU files NAME_NUMBER.vtu of the shapes of @p modes, scaled to 5
+    /// % of the size of the scene, and their collection.
+    void
+    write_modes(const std::string &name, const std::vector<Mode> &modes);
     /// Writes the summary and the restart data.
     void
     write_progress(const Results &results);

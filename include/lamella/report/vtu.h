@@ -12,8 +12,9 @@
 
 namespace lamella
 {
-  /// Writes the bodies of @p structure, deformed by @p u, to solution_STEP.vtu
-  /// in @p directory for ParaView and returns the name of the file. Each
+  /// Writes the bodies of @p structure, deformed by @p u, to NAME_STEP.vtu in
+  /// @p directory for ParaView and returns the name of the file. NAME is
+  /// `solution` for load steps. Each
   /// section cell of each axis element is a Lagrange hexahedron. Strains and
   /// stresses are discontinuous between elements. Cell data are the ply (from 1
   /// at the bottom), the fiber direction and the body (from 1). If @p strength
@@ -25,11 +26,12 @@ namespace lamella
   /// the largest value in the file; strains and stresses to 2^-11 of the
   /// largest in the element or 2^-24 of that in the file, whichever is larger.
   ///
-  /// With several processes, each process writes solution_STEP.PROCESS.vtu with
-  /// its elements; the name of solution_STEP.pvtu, which combines these files,
+  /// With several processes, each process writes NAME_STEP.PROCESS.vtu with
+  /// its elements; the name of NAME_STEP.pvtu, which combines these files,
   /// is returned. Throws InputError if a file cannot be written. Collective.
   std::string
   write_vtu(const std::string   &directory,
+            const std::string   &name,
             const unsigned int   step,
             const double         factor,
             const Structure     &structure,

@@ -17,6 +17,7 @@
 #include <lamella/recover/measure.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/strength_sweep.h>
+#include <lamella/scene/find.h>
 #include <lamella/scene/goal_parameters.h>
 #include <lamella/scene/scene_text.h>
 #include <lamella/scene/trade_parameters.h>
@@ -79,8 +80,8 @@ namespace lamella
     std::vector<Measure> measures;
     /// Plies and strength criteria of the failure analysis.
     StrengthParameters strength;
-    /// True if the load factor of first ply failure is computed.
-    bool             find_first_failure = false;
+    /// Analyses after the load steps.
+    FindRequest      find;
     ReferencesByName support_references, ///< Reference support forces.
       contact_references; ///< Reference resultants of contact forces.
     /// True if a run writes VTU files for ParaView.

@@ -154,6 +154,14 @@ namespace lamella
     std::vector<FactorRow>
     rows(const std::vector<bool> &carried) const;
 
+    /// Returns the rows of the mass matrix int rho Phi_alpha . Phi_beta dA over
+    /// section functions and modes [mass / length of the beam], with a density
+    /// rho for each ply, as FactorRow::entries[0]; its other entries are zero.
+    /// Only functions whose flag in @p carried is true have entries.
+    std::vector<FactorRow>
+    mass_rows(const std::vector<double> &densities,
+              const std::vector<bool>   &carried) const;
+
   private:
     static constexpr unsigned int n_rigid = RigidField::n_all;
 

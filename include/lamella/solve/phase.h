@@ -19,6 +19,7 @@ namespace lamella
     solve,         ///< linear solution, refinement, checks
     contact,       ///< search, pairing and active set
     beyond,        ///< effects of large deflections (NonlinearityEstimate)
+    modes,         ///< natural and buckling modes
     output         ///< fields at probes, lines and cuts; files
   };
 
@@ -34,6 +35,7 @@ namespace lamella
                                             {Phase::solve, "solve"},
                                             {Phase::contact, "contact"},
                                             {Phase::beyond, "beyond"},
+                                            {Phase::modes, "modes"},
                                             {Phase::output, "output"}};
   };
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_report_modes_table_h
+#define lamella_report_modes_table_h
+
+#include <lamella/recover/results.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <iosfwd>
+#include <string>
+
+namespace lamella
+{
+  /// Returns modes.csv: a line per natural mode, then per buckling mode, with
+  /// the columns of doc/reference/output.md.
+  std::string
+  modes_csv(const Results &results);
+
+  /// Prints tables of natural and buckling modes; nothing if there are none.
+  void
+  print_modes(std::ostream &out, const Results &results);
+
+  /// Adds the keys `inertia`, `modes` and `buckling_modes` to @p json.
+  void
+  add_modes(const Results &results, nlohmann::ordered_json &json);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_scene_find_h
+#define lamella_scene_find_h
+
+#include <lamella/base/entry.h>
+#include <lamella/solve/modes.h>
+
+#include <optional>
+
+namespace lamella
+{
+  /// Analyses after the load steps (entries `Find` and `Modes`).
+  struct FindRequest
+  {
+    /// True if the load factor of first ply failure is computed.
+    bool first_failure = false;
+    /// Natural modes to compute; empty for none.
+    std::optional<ModeRequest> modes = {};
+    /// Number of buckling modes to compute.
+    unsigned int n_buckling_modes = 0;
+
+    /// Declares the entries in @p prm.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// Returns the values of the entries @p in. @p has_criteria tells whether
+    /// the scene has failure criteria. Throws InputError for other texts.
+    static FindRequest
+    parse(const Entries &in, const bool has_criteria);
+  };
+} // namespace lamella
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef lamella_solve_modes_h
+#define lamella_solve_modes_h
+
+#include <lamella/body/fields.h>
+#include <lamella/body/motion_shares.h>
+#include <lamella/solve/linear_system.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lamella
+{
+  class GeometricStiffness;
+
+  /// A mode of vibration or buckling.
+  struct Mode
+  {
+    /// Natural frequency [Hz], or buckling factor of the loads.
+    double value = 0.;
+    /// Mode shape, all DoFs. The modal mass v . M v of a mode of vibration is
+    /// 1; of a buckling mode, the largest DoF is 1.
+    BlockVector  shape;
+    unsigned int body = 0; ///< Body with the largest part of the energy.
+    MotionShares motion{}; ///< Shares of the motions of this body.
+    /// Participation factors v . M r of rigid motions r of all bodies along
+    /// the scene axes and about axes through the center of mass; their squares
+    /// are effective masses and moments of inertia.
+    std::array<double, 6> participation{};
+
+    /// Returns the name of the motion with the largest share.
+    std::string
+    kind() const;
+  };
+
+  /// Natural modes of a structure about an equilibrium state.
+  struct NaturalModes
+  {
+    unsigned int      n_rigid = 0; ///< Number of rigid motions, of 0 Hz.
+    std::vector<Mode> modes;       ///< Elastic modes, frequencies ascending.
+    Inertia           inertia;     ///< Mass of all bodies.
+  };
+
+  /// Request of natural modes: the lowest ones, or all in a range.
+  struct ModeRequest
+  {
+    unsigned int number = 10; ///< Number of elastic modes.
+    /// Range of frequencies [Hz] in place of a number.
+    std::optional<std::pair<double, double>> range = {};
+  };
+
+  /// Returns the modes v with (K + K_G) v = (2 pi f)^2 M v about @p state,
+  /// which @p system has solved, with closed contacts as equations
+  /// (SmallMotions). @p prestress is K_G of linear kinematics, or null:
+  /// tangents of finite rotations contain it. Throws InputError, which names
+  /// the entry Modes, if the model has too few DoFs or no mode is in the range,
+  /// and NumericsError if the state is not stable. Collective.
+  NaturalModes
+  natural_modes(LinearSystem             &system,
+                const State              &state,
+                const GeometricStiffness *prestress,
+                const ModeRequest        &request);
+
+  /// Returns at most @p number buckling modes (K + lambda K_G) v = 0 with the
+  /// smallest positive factors lambda of the loads, for closed contacts that
+  /// stay closed. Short-wave modes, of factors above the inverse of
+  /// GeometricStiffness::largest_short_wave_ratio(), depend on the mesh.
+  /// Throws InputError as natural_modes(). Collective.
+  std::vector<Mode>
+  buckling_modes(LinearSystem             &system,
+                 const State              &state,
+                 const GeometricStiffness &geometric,
+                 const unsigned int        number);
+} // namespace lamella
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/body/motion_shares.h>
+#include <lamella/shape/section_mesh.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Points of a cross-section with masses, positions and velocities in axes
+    /// of the body.
+    struct SectionMotion
+    {
+      std::vector<double>       mass;
+      std::vector<Point<3>>     x;
+      std::vector<Tensor<1, 3>> v;
+    };
+
+
+
+    /// Returns the determinant of the map to @p body from the unit cube of the
+    /// element of @p place, by differences, which are exact up to curvature.
+    double
+    volume_factor(const Body &body, const Location::Place &place)
+    {
+      constexpr double h = 0.1;
+      Tensor<2, 3>     jacobian;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          Location::Place from = place, to = place;
+          from.unit[d] -= h;
+          to.unit[d] += h;
+          const Tensor<1, 3> difference =
+            body.position(to) - body.position(from);
+          for (unsigned int c = 0; c < 3; ++c)
+            jacobian[c][d] = difference[c] / (2. * h);
+        }
+      return std::abs(determinant(jacobian));
+    }
+
+
+
+    /// Returns the cross-sections of Gauss points of @p body, by their
+    /// positions along the axis.
+    std::map<long, SectionMotion>
+    section_motions(const Body                &body,
+                    const std::vector<double> &rho,
+                    const Vector              &u,
+                    const Vector              &v)
+    {
+      const QGauss<3> gauss(2);
+      const double    same = arithmetic::quadrature_tolerance * body.size();
+      std::map<long, SectionMotion> sections;
+      for (unsigned int cell = 0; cell < body.cells().n; ++cell)
+        {
+          std::vector<Location> locations;
+          for (const Point<3> &unit : gauss.get_points())
+            {
+              const Location::Place place{cell, unit};
+              locations.push_back(
+                {body.position(place), body.ply_at(place).ply, {place}});
+            }
+          const auto rows = body.rows(locations, u);
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              const Location &at = locations[q];
+              const Point<3>  x  = body.place().to_body(at.position);
+              Tensor<1, 3>    velocity;
+              for (unsigned int c = 0; c < 3; ++c)
+                velocity[c] = rows[q][c](v);
+              SectionMotion &section = sections[std::lround(x[1] / same)];
+              section.mass.push_back(gauss.weight(q) *
+                                     (rho.empty() ? 1. : rho[at.ply]) *
+                                     volume_factor(body, at.places[0]));
+              section.x.push_back(x);
+              section.v.push_back(body.place().vector_to_body(velocity));
+            }
+        }
+      return sections;
+    }
+
+
+
+    /// Velocity omega x (x - center) + mean of a rigid cross-section.
+    struct RigidVelocity
+    {
+      double       mass = 0.;
+      Tensor<1, 3> center, mean, omega;
+      Tensor<1, 3> angular_momentum; ///< About the center.
+    };
+
+
+
+    /// Returns the rigid motion with the momenta of @p section.
+    RigidVelocity
+    rigid_velocity(const SectionMotion &section)
+    {
+      RigidVelocity rigid;
+      for (unsigned int k = 0; k < section.mass.size(); ++k)
+        {
+          rigid.mass += section.mass[k];
+          rigid.center += section.mass[k] * section.x[k];
+          rigid.mean += section.mass[k] * section.v[k];
+        }
+      if (!(rigid.mass > 0.))
+        return {};
+      rigid.center /= rigid.mass;
+      rigid.mean /= rigid.mass;
+      SymmetricTensor<2, 3> inertia;
+      for (unsigned int k = 0; k < section.mass.size(); ++k)
+        {
+          const Tensor<1, 3> r = section.x[k] - rigid.center;
+          inertia +=
+            section.mass[k] * (r.norm_square() * unit_symmetric_tensor<3>() -
+                               symmetrize(outer_product(r, r)));
+          rigid.angular_momentum +=
+            section.mass[k] * cross_product_3d(r, section.v[k]);
+        }
+      rigid.omega = invert(inertia) * rigid.angular_momentum;
+      return rigid;
+    }
+
+
+
+    /// Adds the energies of the motions of @p section to @p shares: the rigid
+    /// motion with its momenta, and what remains.
+    void
+    add_energies(const SectionMotion &section, MotionShares &shares)
+    {
+      const RigidVelocity rigid = rigid_velocity(section);
+      const auto          add = [&](const Motion motion, const double energy) {
+        shares[static_cast<unsigned int>(motion)] += std::max(0., energy);
+      };
+      const auto translation = [&](const unsigned int c) {
+        return rigid.mass * rigid.mean[c] * rigid.mean[c];
+      };
+      const auto rotation = [&](const unsigned int c) {
+        return rigid.omega[c] * rigid.angular_momentum[c];
+      };
+      add(Motion::bending_x, translation(2) + rotation(0));
+      add(Motion::bending_z, translation(0) + rotation(2));
+      add(Motion::axial, translation(1));
+      add(Motion::torsion, rotation(1));
+      for (unsigned int k = 0; k < section.mass.size(); ++k)
+        {
+          const Tensor<1, 3> rest =
+            section.v[k] - rigid.mean -
+            cross_product_3d(rigid.omega, section.x[k] - rigid.center);
+          add(Motion::width, section.mass[k] * rest[0] * rest[0]);
+          add(Motion::warping, section.mass[k] * rest[1] * rest[1]);
+          add(Motion::thickness, section.mass[k] * rest[2] * rest[2]);
+        }
+    }
+  } // namespace
+
+
+
+  MotionShares
+  motion_shares(const Body                &body,
+                const std::vector<double> &rho,
+                const Vector              &u,
+                const Vector              &v)
+  {
+    MotionShares shares{};
+    for (const auto &[y, section] : section_motions(body, rho, u, v))
+      add_energies(section, shares);
+    double sum = 0.;
+    for (const double share : shares)
+      sum += share;
+    for (double &share : shares)
+      share /= sum > 0. ? sum : 1.;
+    return shares;
+  }
+} // namespace lamella

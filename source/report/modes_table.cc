@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/text.h>
+#include <lamella/report/console.h>
+#include <lamella/report/modes_table.h>
+#include <lamella/report/tables.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+
+namespace lamella
+{
+  using Json = nlohmann::ordered_json;
+
+  namespace
+  {
+    std::string
+    line_of(const char *const  analysis,
+            const unsigned int number,
+            const Mode        &mode,
+            const Results     &results)
+    {
+      CsvLine line;
+      line << analysis << number << mode.value << mode.kind()
+           << results.bodies[mode.body].name;
+      for (const double factor : mode.participation)
+        line << factor;
+      for (const double share : mode.motion)
+        line << share;
+      return line.text();
+    }
+
+
+
+    /// The motion with the largest share, and its share unless nearly all.
+    std::string
+    describe_motion(const Mode &mode)
+    {
+      constexpr double nearly_all = 0.99;
+      const double     largest =
+        *std::max_element(mode.motion.begin(), mode.motion.end());
+      return mode.kind() + (largest < nearly_all ?
+                              " " + to_text(100. * largest, 2) + " %" :
+                              "");
+    }
+
+
+
+    Json
+    mode_json(const Mode &mode, const Results &results, const char *const value)
+    {
+      Json json{{value, mode.value},
+                {"kind", mode.kind()},
+                {"body", results.bodies[mode.body].name}};
+      for (unsigned int k = 0; k < mode.motion.size(); ++k)
+        json["motion"][motion_names[k]] = mode.motion[k];
+      return json;
+    }
+
+
+
+    /// Returns an effective mass in percent of the mass of @p inertia; what
+    /// symmetry makes zero without its rounding.
+    std::string
+    effective_mass(const double effective, const Inertia &inertia)
+    {
+      return effective < arithmetic::negligible * inertia.mass ?
+               "0" :
+               to_text(100. * effective / inertia.mass, 3);
+    }
+
+
+
+    /// Prints mass, center and moments of inertia about the center.
+    void
+    print_inertia(std::ostream &out, const Inertia &inertia)
+    {
+      const dealii::SymmetricTensor<2, 3> moments = inertia.about_center();
+      out << "Mass " << to_text(inertia.mass, 6) << " at "
+          << to_text(inertia.center()) << ", moments of inertia about it "
+          << to_text(dealii::Tensor<1, 3>(
+               {moments[0][0], moments[1][1], moments[2][2]}))
+          << "\n";
+    }
+
+
+
+    void
+    print_natural_modes(std::ostream &out, const Results &results)
+    {
+      const NaturalModes &found = *results.natural_modes;
+      out << "\nNatural modes:\n";
+      print_inertia(out, found.inertia);
+      if (found.n_rigid > 0)
+        out << found.n_rigid
+            << (found.n_rigid == 1 ? " rigid motion" : " rigid motions")
+            << " at 0 Hz\n";
+      TextTable table{
+        {"mode", "Hz", "kind", "body", "mass x %", "mass y %", "mass z %"}};
+      std::array<double, 3> sums{};
+      for (const Mode &mode : found.modes)
+        {
+          table.push_back({std::to_string(table.size()),
+                           to_text(mode.value, 6),
+                           describe_motion(mode),
+                           results.bodies[mode.body].name});
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const double p = mode.participation[d];
+              table.back().push_back(effective_mass(p * p, found.inertia));
+              sums[d] += p * p;
+            }
+        }
+      table.push_back({"sum", "", "", ""});
+      for (const double sum : sums)
+        table.back().push_back(effective_mass(sum, found.inertia));
+      print_table(out, table);
+    }
+  } // namespace
+
+
+
+  std::string
+  modes_csv(const Results &results)
+  {
+    CsvLine header;
+    for (const char *const name : {"analysis",
+                                   "number",
+                                   "value",
+                                   "kind",
+                                   "body",
+                                   "px",
+                                   "py",
+                                   "pz",
+                                   "rx",
+                                   "ry",
+                                   "rz"})
+      header << name;
+    for (const char *const name : motion_names)
+      header << name;
+    std::string  text   = header.text();
+    unsigned int number = 0;
+    if (results.natural_modes)
+      for (const Mode &mode : results.natural_modes->modes)
+        text += line_of("modes", ++number, mode, results);
+    number = 0;
+    for (const Mode &mode : results.buckling_modes)
+      text += line_of("buckling", ++number, mode, results);
+    return text;
+  }
+
+
+
+  void
+  print_modes(std::ostream &out, const Results &results)
+  {
+    if (results.natural_modes)
+      print_natural_modes(out, results);
+    if (results.buckling_modes.empty())
+      return;
+    out << "\nBuckling modes, factors of the loads of the last load step:\n";
+    TextTable table{{"mode", "factor", "kind", "body"}};
+    for (const Mode &mode : results.buckling_modes)
+      table.push_back({std::to_string(table.size()),
+                       to_text(mode.value, 6),
+                       describe_motion(mode),
+                       results.bodies[mode.body].name});
+    print_table(out, table);
+  }
+
+
+
+  void
+  add_modes(const Results &results, Json &json)
+  {
+    if (results.natural_modes)
+      {
+        const NaturalModes &found = *results.natural_modes;
+        const auto          list  = [](const auto &tensor) {
+          return Json::array({tensor[0], tensor[1], tensor[2]});
+        };
+        const auto moments = found.inertia.about_center();
+        json["inertia"]    = {{"mass", found.inertia.mass},
+                              {"center", list(found.inertia.center())},
+                              {"moments", Json::array()}};
+        for (unsigned int i = 0; i < 3; ++i)
+          json["inertia"]["moments"].push_back(list(moments[i]));
+        json["rigid_modes"] = found.n_rigid;
+        json["modes"]       = Json::array();
+        for (const Mode &mode : found.modes)
+          {
+            Json one              = mode_json(mode, results, "frequency");
+            one["effective_mass"] = Json::array();
+            for (const double factor : mode.participation)
+              one["effective_mass"].push_back(factor * factor);
+            json["modes"].push_back(one);
+          }
+      }
+    for (const Mode &mode : results.buckling_modes)
+      json["buckling_modes"].push_back(mode_json(mode, results, "factor"));
+  }
+} // namespace lamella

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/contact/interface_law.h>
+#include <lamella/solve/small_motions.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  GeometricStiffness::GeometricStiffness(LinearSystem &solver,
+                                         const State  &state)
+  {
+    const Structure &structure = solver.tangent().of();
+    BlockVector      load      = structure.zero(), v;
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      {
+        bodies.push_back(structure.bodies()[b]->second_order(state.u.block(b)));
+        bodies[b]->add_load(load.block(b));
+      }
+    const ActiveConstraints held = solver.sticking_equations(state);
+    Vector                  gaps(held.numbers.size()), forces;
+    solver.solve_linear(held, load, gaps, v, forces);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      energies.push_back(bodies[b]->solve(v.block(b)));
+  }
+
+
+
+  BlockVector
+  GeometricStiffness::operator()(const BlockVector &v) const
+  {
+    BlockVector f = v;
+    f             = 0.;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      bodies[b]->add_geometric_forces(v.block(b), f.block(b));
+    return f;
+  }
+
+
+
+  double
+  GeometricStiffness::largest_short_wave_ratio() const
+  {
+    double largest = 0.;
+    for (const auto &body : bodies)
+      largest = std::max(largest, body->largest_short_wave_ratio());
+    return largest;
+  }
+
+
+
+  SmallMotions::SmallMotions(LinearSystem  &system,
+                             const State   &state,
+                             const Operator weight,
+                             const Operator prestress,
+                             const bool     is_exact)
+    : system(system)
+    , structure(system.tangent().of())
+    , rows(system.constraints())
+    , closed(system.sticking_equations(state))
+    , weight(weight)
+    , prestress(prestress)
+  {
+    if (!is_exact)
+      return;
+    choose_refinements();
+    remove_springs();
+  }
+
+
+
+  // The relative correction of the first solution is the error of each, and
+  // every refinement multiplies the error by it.
+  void
+  SmallMotions::choose_refinements()
+  {
+    constexpr double       accurate = arithmetic::rounding_of_solutions;
+    constexpr unsigned int most     = 5;
+    const BlockVector      load     = random_vector(structure.zero());
+    const BlockVector      first    = solve_with_springs(load);
+    refinements                     = 1;
+    BlockVector change              = solve_with_springs(load);
+    change -= first;
+    const double error = change.l2_norm() / first.l2_norm();
+    if (!std::isfinite(error))
+      throw NumericsError(
+        "solve.not-finite: The solution is not finite. Check the loads.");
+    refinements = error <= accurate ?
+                    0 :
+                    std::min<double>(most,
+                                     std::ceil(std::log(accurate) /
+                                               std::log(std::min(0.5, error))) -
+                                       1.);
+  }
+
+
+
+  BlockVector
+  SmallMotions::solve_with_springs(const BlockVector &f) const
+  {
+    BlockVector u, r = f;
+    Vector      lambda(closed.numbers.size()), g(lambda.size());
+    for (unsigned int k = 0; k <= refinements; ++k)
+      {
+        BlockVector du;
+        Vector      dlambda;
+        system.contact_strategy().solve(closed, r, g, du, dlambda);
+        if (k == 0)
+          u = du;
+        else
+          u += du;
+        lambda += dlambda;
+        if (k == refinements)
+          break;
+        // Residuals of equilibrium and of the closed constraints.
+        r = system.tangent().apply(u);
+        r.sadd(-1., 1., f);
+        for (unsigned int i = 0; i < lambda.size(); ++i)
+          {
+            const unsigned int       number = closed.numbers[i];
+            const ContactConstraint &row    = rows.constraint(number);
+            row.add_to(r, lambda[i]);
+            g[i] = -row.jump(u) -
+                   law_compliance(rows[rows.row_of(number)]) * lambda[i];
+          }
+      }
+    return u;
+  }
+
+
+
+  void
+  SmallMotions::remove_springs()
+  {
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      for (const Spring &spring : structure.springs(b))
+        {
+          springs.push_back({b, {}});
+          springs.back().row.add(spring.row, std::sqrt(spring.stiffness));
+          BlockVector load = structure.zero();
+          springs.back().add_to(load, 1.);
+          Z.push_back(solve_with_springs(load));
+        }
+    const unsigned int n = springs.size();
+    correction.reinit(n, n);
+    if (n == 0)
+      return;
+    LAPACKFullMatrix<double> G(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        G(i, j) = 0.5 * (springs[i](Z[j]) + springs[j](Z[i]));
+    Vector             g;
+    FullMatrix<double> q;
+    G.compute_eigenvalues_symmetric(-1., 2., 0., g, q);
+    for (unsigned int k = 0; k < g.size(); ++k)
+      {
+        // A motion that springs alone hold has G q = q.
+        if (1. - g[k] > arithmetic::dependency_tolerance)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                correction(i, j) += q(i, k) * q(j, k) / (1. - g[k]);
+            continue;
+          }
+        BlockVector motion = structure.zero();
+        for (unsigned int i = 0; i < n; ++i)
+          motion.add(q(i, k), Z[i]);
+        add_rigid_motion(std::move(motion));
+      }
+  }
+
+
+
+  // Gram-Schmidt in the inner product of M; obstacles have no mass.
+  void
+  SmallMotions::add_rigid_motion(BlockVector motion)
+  {
+    subtract_rigid_motions(motion);
+    BlockVector  weighted = weight(motion);
+    const double mass     = weighted * motion;
+    if (!(mass > 0.))
+      return;
+    motion /= std::sqrt(mass);
+    weighted /= std::sqrt(mass);
+    rigid.push_back(std::move(motion));
+    weighted_rigid.push_back(std::move(weighted));
+  }
+
+
+
+  void
+  SmallMotions::subtract_rigid_motions(BlockVector &v) const
+  {
+    for (unsigned int i = 0; i < rigid.size(); ++i)
+      v.add(-(weighted_rigid[i] * v), rigid[i]);
+  }
+
+
+
+  BlockVector
+  SmallMotions::solve_without_prestress(BlockVector f) const
+  {
+    for (unsigned int i = 0; i < rigid.size(); ++i)
+      f.add(-(rigid[i] * f), weighted_rigid[i]);
+    BlockVector  u = solve_with_springs(f);
+    const Vector s = [&] {
+      Vector lengths(springs.size());
+      for (unsigned int i = 0; i < springs.size(); ++i)
+        lengths[i] = springs[i](u);
+      return lengths;
+    }();
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      for (unsigned int j = 0; j < springs.size(); ++j)
+        u.add(correction(i, j) * s[j], Z[i]);
+    subtract_rigid_motions(u);
+    return u;
+  }
+
+
+
+  // Left-preconditioned GMRES for (1 + K^-1 K_G) v = K^-1 f: eigenvalues of
+  // K^-1 K_G cluster at zero, so a few iterations are enough.
+  BlockVector
+  SmallMotions::solve(const BlockVector &f) const
+  {
+    BlockVector u = solve_without_prestress(f);
+    if (!prestress)
+      return u;
+    struct
+    {
+      const SmallMotions &motions;
+      void
+      vmult(BlockVector &to, const BlockVector &from) const
+      {
+        to = motions.solve_without_prestress(motions.prestress(from));
+        to += from;
+      }
+    } whole{*this};
+    constexpr unsigned int most  = 100;
+    const BlockVector      right = u;
+    SolverControl          control(most,
+                          arithmetic::rounding_of_solutions * right.l2_norm(),
+                          false,
+                          false);
+    SolverGMRES<BlockVector>(control,
+                             SolverGMRES<BlockVector>::AdditionalData(most))
+      .solve(whole, u, right, PreconditionIdentity());
+    return u;
+  }
+
+
+
+  BlockVector
+  SmallMotions::times_stiffness(const BlockVector &v) const
+  {
+    BlockVector f = system.tangent().apply(v);
+    for (const BodyFunctional &spring : springs)
+      spring.add_to(f, -spring(v));
+    for (const unsigned int number : closed.numbers)
+      if (const double a = law_compliance(rows[rows.row_of(number)]); a > 0.)
+        {
+          const ContactConstraint &row = rows.constraint(number);
+          row.add_to(f, row.jump(v) / a);
+        }
+    if (prestress)
+      f += prestress(v);
+    return f;
+  }
+
+
+
+  unsigned int
+  SmallMotions::n_free_dofs() const
+  {
+    DofIndex n = structure.n_dofs() - rigid.size() - closed.numbers.size();
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      n -= system.tangent().reduction(b).constraints().n_constraints();
+    return n;
+  }
+} // namespace lamella
