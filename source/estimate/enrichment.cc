@@ -361,8 +361,8 @@ namespace lamella
     scene.lines.clear();
     scene.cuts.clear();
     scene.strength.criteria.clear();
-    scene.find.first_failure = false;
-    scene.write_vtu          = false;
+    scene.find      = {};
+    scene.write_vtu = false;
     return scene;
   }
 } // namespace lamella

@@ -76,10 +76,9 @@ namespace lamella
               (side == &contact.first || contact.obstacle == nullptr))
             stabilizations[side->body].share = stabilization_of_contact;
       // Springs on rigid motions, which SmallMotions removes.
-      if (given.find.modes)
-        for (unsigned int b = 0; b < given.bodies.size(); ++b)
-          if (!given.bodies[b].stabilization)
-            stabilizations[b].share = stabilization_of_contact;
+      for (unsigned int b = 0; b < given.bodies.size(); ++b)
+        if (given.bodies[b].has_inertia && !given.bodies[b].stabilization)
+          stabilizations[b].share = stabilization_of_contact;
       return stabilizations;
     }
 

@@ -41,7 +41,9 @@ namespace
         warping.remove_rigid(v);
         for (unsigned int j = 0; j < fields.n(); ++j)
           v.add(-(column_of(metrics, j) * v), column_of(fields, j));
-        square += v * warping.metric(v);
+        FieldColumns column(v.size(), 1);
+        std::copy(v.begin(), v.end(), &column(0, 0));
+        square += v * column_of(warping.metric(column), 0);
       }
     return std::sqrt(square);
   }

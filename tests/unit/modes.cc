@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Mass matrices against closed forms and against the integral of displacement
+// functionals, rigid motions of free bodies, multiple eigenvalues.
+
+#include "solved_scene.h"
+
+#include <lamella/body/body_solver.h>
+#include <lamella/solve/mass_matrix.h>
+#include <lamella/solve/small_motions.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <random>
+
+BOOST_AUTO_TEST_SUITE(modes)
+
+using namespace lamella;
+
+namespace
+{
+  /// The laminated beam of theory @p theory, clamped, without modes.
+  SolvedScene
+  clamped_beam(const std::string &theory)
+  {
+    return {"prm/modes_laminated.prm",
+            {"Theory=" + theory,
+             "Find=modes",
+             "Modes=1",
+             "Supports=left",
+             "Support left/u=0, 0, 0"}};
+  }
+
+
+
+  /// M @p w of the blocks of @p for_each_block.
+  template <typename ForEachBlock>
+  Vector
+  product(const ForEachBlock &for_each_block, const Vector &w)
+  {
+    Vector f(w.size());
+    for_each_block(
+      [&](const StiffnessBlock &block) { block.add_product(w, f); });
+    return f;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(rigid_motions_have_the_mass_of_the_body)
+{
+  const double m = 1.6e-5, b = 5., h = 20., L = 100.;
+  for (const std::string theory :
+       {"EBBT", "TBT", "TE-3", "LE-2", "SV-4", "solid-2"})
+    BOOST_TEST_CONTEXT(theory)
+    {
+      const SolvedScene scene     = clamped_beam(theory);
+      const Structure  &structure = scene.run.model().structure();
+      const MassMatrix  mass(structure, structure.zero());
+      const auto rigid = structure.bodies()[0]->rigid_motions(undisplaced);
+      std::array<BlockVector, 6> r, Mr;
+      for (unsigned int d = 0; d < 6; ++d)
+        {
+          r[d]          = structure.zero();
+          r[d].block(0) = rigid[d];
+          Mr[d]         = mass(r[d]);
+        }
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          BOOST_TEST(std::abs(r[c] * Mr[d] - (c == d ? m : 0.)) < 1e-12 * m);
+      BOOST_TEST(std::abs(r[3] * Mr[3] / (m * (L * L + h * h) / 12.) - 1.) <
+                 1e-12);
+      BOOST_TEST(std::abs(r[5] * Mr[5] / (m * (L * L + b * b) / 12.) - 1.) <
+                 1e-12);
+      // Rotation about the axis is no motion of EBBT and TBT.
+      if (theory != "EBBT" && theory != "TBT")
+        BOOST_TEST(std::abs(r[4] * Mr[4] / (m * (b * b + h * h) / 12.) - 1.) <
+                   1e-12);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(products_are_integrals_of_displacements)
+{
+  for (const std::string theory : {"TBT", "TE-2", "LE-2", "SV-4", "solid-2"})
+    BOOST_TEST_CONTEXT(theory)
+    {
+      const SolvedScene scene = clamped_beam(theory);
+      const Body       &body  = *scene.run.model().structure().bodies()[0];
+      std::mt19937      random(3);
+      std::uniform_real_distribution<double> number(-1., 1.);
+      Vector                                 w(body.n_dofs());
+      for (double &value : w)
+        value = number(random);
+      const Vector fast = product(
+        [&](const BlockCallback &use) {
+          body.for_each_mass_block(undisplaced, true, use);
+        },
+        w);
+      Vector difference = product(
+        [&](const BlockCallback &use) {
+          body.Body::for_each_mass_block(undisplaced, true, use);
+        },
+        w);
+      difference -= fast;
+      BOOST_TEST(fast.linfty_norm() > 0.);
+      BOOST_TEST(difference.linfty_norm() < 1e-11 * fast.linfty_norm());
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(free_bodies_have_six_rigid_motions_each)
+{
+  const SolvedScene  scene("tests/scenes/modes_bar.prm",
+                          {"Supports=", "Loads=", "Theory=LE-2", "Modes=1"});
+  const Structure   &structure = scene.run.model().structure();
+  const MassMatrix   mass(structure, structure.zero());
+  const SmallMotions motions(scene.run.linear_system(),
+                             scene.run.results().last().state,
+                             [&](const BlockVector &v) { return mass(v); });
+  BOOST_TEST(motions.rigid_motions().size() == 12u);
+  const double lowest =
+    std::pow(2. * dealii::numbers::PI *
+               scene.run.results().natural_modes->modes[0].value,
+             2);
+  for (const BlockVector &r : motions.rigid_motions())
+    {
+      BOOST_TEST(std::abs(r * mass(r) - 1.) < 1e-9);
+      BOOST_TEST(std::abs(r * motions.times_stiffness(r)) < 1e-9 * lowest);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(multiple_eigenvalues_are_found_as_often_as_they_occur)
+{
+  const unsigned int n = 80;
+  BlockVector        like(1, n);
+  const auto         value = [](const unsigned int k) {
+    return k < 3 ? 5. : k < 5 ? 4. : 3. / (k - 3.);
+  };
+  const Operator     same = [](const BlockVector &v) { return v; };
+  const Eigenproblem problem{[&](const BlockVector &v) {
+                               BlockVector f(v);
+                               for (unsigned int k = 0; k < n; ++k)
+                                 f[k] *= value(k);
+                               return f;
+                             },
+                             same,
+                             same};
+  const BlockVector  start = random_vector(like);
+  Eigenpairs         pairs = largest_eigenpairs(problem, start, 6);
+  add_missing_eigenpairs(problem, start, {}, pairs);
+  BOOST_REQUIRE(pairs.values.size() == 6u);
+  for (unsigned int k = 0; k < 6; ++k)
+    BOOST_TEST(std::abs(pairs.values[k] - value(k)) < 1e-9);
+}
+
+
+
+// A of rank two: its two eigenvectors span all that the method can find.
+BOOST_AUTO_TEST_CASE(an_exhausted_space_gives_its_eigenpairs)
+{
+  const unsigned int n = 30;
+  BlockVector        like(1, n);
+  const Operator     same = [](const BlockVector &v) { return v; };
+  const Operator     low  = [&](const BlockVector &v) {
+    BlockVector f(1, n);
+    f[3] = 7. * v[3];
+    f[8] = 2. * v[8];
+    return f;
+  };
+  for (const Operator &times_B : {same, Operator()})
+    {
+      const Eigenpairs pairs = largest_eigenpairs({low, times_B, same},
+                                                  random_vector(like),
+                                                  1,
+                                                  {1e-6, 10, 20});
+      BOOST_REQUIRE(pairs.values.size() >= 1u);
+      BOOST_TEST(std::abs(pairs.values[0] - 7.) < 1e-9);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
