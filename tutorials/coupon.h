@@ -9,8 +9,7 @@
 #define lamella_tutorials_coupon_h
 
 #include <lamella/base/units.h>
-#include <lamella/material/layup.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/section.h>
 #include <lamella/section/section_response.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/boundary_layer_modes.h>
-#include <lamella/adapt/end_loads.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>

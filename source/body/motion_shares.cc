@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/body/motion_shares.h>
+#include <lamella/body/fields.h>
 #include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -82,7 +82,8 @@ namespace lamella
                                      (rho.empty() ? 1. : rho[at.ply]) *
                                      volume_factor(body, at.places[0]));
               section.x.push_back(x);
-              section.v.push_back(body.place().vector_to_body(velocity));
+              section.v.push_back(body.place().vector_to_body(
+                transpose(body.rotation_at(at, u)) * velocity));
             }
         }
       return sections;
@@ -125,7 +126,9 @@ namespace lamella
           rigid.angular_momentum +=
             section.mass[k] * cross_product_3d(r, section.v[k]);
         }
-      rigid.omega = invert(inertia) * rigid.angular_momentum;
+      // Points on a line do not determine the rotation.
+      if (determinant(inertia) > 0.)
+        rigid.omega = invert(inertia) * rigid.angular_momentum;
       return rigid;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/linear/columns.h>
+#include <lamella/linear/factor_row.h>
 
 #include <algorithm>
 #include <array>

@@ -123,48 +123,6 @@ namespace lamella
 
 
 
-    /// Products B v in the space of solutions v = B^-1 f, of which all f are
-    /// known: B-orthonormal solutions q with their products B q.
-    class KnownProducts
-    {
-    public:
-      /// Adds the @p solution of the right-hand side @p f to the space.
-      void
-      add(BlockVector solution, BlockVector f)
-      {
-        for (unsigned int pass = 0; pass < 2; ++pass)
-          for (unsigned int i = 0; i < q.size(); ++i)
-            {
-              const double part = solution * Bq[i];
-              solution.add(-part, q[i]);
-              f.add(-part, Bq[i]);
-            }
-        const double square = solution * f;
-        if (!(square > 0.))
-          return;
-        solution /= std::sqrt(square);
-        f /= std::sqrt(square);
-        q.push_back(std::move(solution));
-        Bq.push_back(std::move(f));
-      }
-
-      /// Returns B @p v of a vector in the space.
-      BlockVector
-      operator()(const BlockVector &v) const
-      {
-        BlockVector f(v);
-        f = 0.;
-        for (const BlockVector &one : Bq)
-          f.add(one * v, one);
-        return f;
-      }
-
-    private:
-      std::vector<BlockVector> q, Bq;
-    };
-
-
-
     BlockVector
     read(const double *const from, const BlockVector &like)
     {
@@ -176,42 +134,25 @@ namespace lamella
 
 
     /// Writes what @p arpack asks for: the product with the matrix of the inner
-    /// product, or with B^-1 A. @p known are the products known so far.
+    /// product, or with B^-1 A.
     void
-    answer(const Eigenproblem &problem,
-           const double        shift,
-           const BlockVector  &like,
-           KnownProducts      &known,
-           Arpack             &arpack)
+    answer(const Eigenproblem &problem, const BlockVector &like, Arpack &arpack)
     {
-      const bool        in_A = problem.in_product_of_A;
-      const BlockVector x    = read(arpack.part(0), like);
-      // The product of x with the matrix of the inner product is known once x
-      // is a vector of the basis (1, not -1).
-      const auto product = [&] {
-        return arpack.ido == 1 ? read(arpack.part(2), like) :
-               in_A            ? problem.times_A(x) :
-               problem.times_B ? problem.times_B(x) :
-                                 known(x);
-      };
-      BlockVector y;
-      if (arpack.ido == 2 || in_A)
-        y = product();
+      const BlockVector x = read(arpack.part(0), like);
+      BlockVector       y;
+      if (problem.in_product_of_A)
+        // Known once x is a vector of the basis (1, not -1).
+        y = arpack.ido == 1 ? read(arpack.part(2), like) : problem.times_A(x);
+      else if (arpack.ido == 2)
+        y = problem.times_B(x);
       else
         {
-          y = problem.times_A(x);
-          if (shift != 0. && arpack.ido == 1)
-            y.add(shift, product());
           // In mode 2 the product A x replaces x.
+          y = problem.times_A(x);
           std::copy(y.begin(), y.end(), arpack.part(0));
         }
       if (arpack.ido != 2)
-        {
-          BlockVector solution = problem.solve_B(y);
-          if (!problem.times_B && !in_A)
-            known.add(solution, y);
-          y = std::move(solution);
-        }
+        y = problem.solve_B(y);
       std::copy(y.begin(), y.end(), arpack.part(1));
     }
 
@@ -239,21 +180,17 @@ namespace lamella
 
     /// Returns the @p n largest Ritz pairs in the basis of @p arpack.
     Eigenpairs
-    ritz_pairs(const Eigenproblem  &problem,
-               const BlockVector   &like,
-               const unsigned int   n,
-               const KnownProducts &known,
-               const Arpack        &arpack)
+    ritz_pairs(const Eigenproblem &problem,
+               const BlockVector  &like,
+               const unsigned int  n,
+               const Arpack       &arpack)
     {
-      Eigenpairs   pairs;
-      Eigenproblem whole = problem;
-      if (!whole.times_B)
-        whole.times_B = known;
+      Eigenpairs pairs;
       for (int k = 0; k < arpack.iparam[4]; ++k)
         pairs.vectors.push_back(
           read(&arpack.v[std::size_t(k) * arpack.n], like));
       pairs.values.resize(pairs.vectors.size());
-      refine_by_rayleigh_ritz(whole, pairs);
+      refine_by_rayleigh_ritz(problem, pairs);
       pairs.values.resize(std::min<std::size_t>(n, pairs.values.size()));
       pairs.vectors.resize(pairs.values.size());
       return pairs;
@@ -263,9 +200,9 @@ namespace lamella
 
 
   BlockVector
-  random_vector(const BlockVector &like)
+  random_vector(const BlockVector &like, const unsigned int seed)
   {
-    std::mt19937                           random(1);
+    std::mt19937                           random(seed);
     std::uniform_real_distribution<double> anything(-1., 1.);
     BlockVector                            result(like);
     for (double &entry : result)
@@ -281,15 +218,14 @@ namespace lamella
                      const unsigned int       n,
                      const LanczosParameters &parameters)
   {
-    KnownProducts known;
-    Arpack        arpack(start, n, problem.in_product_of_A ? 3 : 2, parameters);
+    Arpack arpack(start, n, problem.in_product_of_A ? 3 : 2, parameters);
     for (arpack.advance(); arpack.ido != 99; arpack.advance())
-      answer(problem, parameters.shift, start, known, arpack);
+      answer(problem, start, arpack);
     // 1: the number of restarts is reached; -9: A is zero; -9999: the basis,
     // of iparam[4] vectors, spans all that A excites.
     constexpr int start_is_zero = -9, exhausted = -9999;
     if (arpack.info == exhausted && arpack.iparam[4] > 0)
-      return ritz_pairs(problem, start, n, known, arpack);
+      return ritz_pairs(problem, start, n, arpack);
     if (arpack.info < 0 && arpack.info != start_is_zero)
       throw NumericsError(
         "linear.eigenvalues-not-found: The eigenvalues could not be computed "
@@ -306,9 +242,8 @@ namespace lamella
       {
         const unsigned int k =
           problem.in_product_of_A ? i : values.size() - 1 - i;
-        result.values.push_back(problem.in_product_of_A ?
-                                  1. / values[k] :
-                                  values[k] - parameters.shift);
+        result.values.push_back(problem.in_product_of_A ? 1. / values[k] :
+                                                          values[k]);
         result.vectors.push_back(
           read(&arpack.v[std::size_t(k) * arpack.n], start));
       }
@@ -325,9 +260,8 @@ namespace lamella
   {
     // Different eigenvalues, not one and its rounding; and the accuracy that
     // tells whether one is missing.
-    constexpr double same = arithmetic::quadrature_tolerance, coarse = 1e-3;
-    constexpr unsigned int   basis = 10;
-    const unsigned int       n     = found.values.size();
+    constexpr double   same = arithmetic::quadrature_tolerance, coarse = 1e-3;
+    const unsigned int n = found.values.size();
     std::vector<BlockVector> products;
     Eigenproblem             rest = problem;
     // Found eigenvectors are invariant: the projected operator is symmetric.
@@ -343,15 +277,16 @@ namespace lamella
                                                   problem.times_B,
                         found,
                         products);
+        // The old start has no part in the rest of a multiple eigenvalue.
+        const BlockVector   other  = random_vector(start, 1 + products.size());
         std::vector<double> sorted = found.values;
         std::sort(sorted.rbegin(), sorted.rend());
-        Eigenpairs next =
-          largest_eigenpairs(rest, start, 1, {coarse, basis, 20});
+        Eigenpairs next = largest_eigenpairs(rest, other, 1, {coarse, 10, 20});
         if (next.values.empty() ||
             next.values[0] <= (1. + same) * sorted[n - 1])
           break;
         next = largest_eigenpairs(
-          rest, start, 1, {parameters.tolerance, basis, parameters.restarts});
+          rest, other, 1, {parameters.tolerance, 10, parameters.restarts});
         if (next.values.empty())
           break;
         found.values.push_back(next.values[0]);

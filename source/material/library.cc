@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 
 #include <algorithm>
 

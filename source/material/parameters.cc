@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/patterns.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/material/parameters.h>
 
 #include <cmath>

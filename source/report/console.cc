@@ -7,7 +7,7 @@
 #include <lamella/recover/sampler.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
-#include <lamella/report/modes_table.h>
+#include <lamella/report/summary.h>
 #include <lamella/report/tables.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
-#include <lamella/report/modes_table.h>
+#include <lamella/report/summary.h>
 #include <lamella/report/tables.h>
 
 #include <nlohmann/json.hpp>

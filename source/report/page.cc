@@ -3,7 +3,7 @@
 #include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/version.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/report/page.h>
 
 #include <nlohmann/json.hpp>

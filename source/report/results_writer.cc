@@ -5,7 +5,6 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/report/goals_table.h>
-#include <lamella/report/modes_table.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/report/summary.h>

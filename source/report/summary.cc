@@ -8,7 +8,6 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/recover/strength_sweep.h>
-#include <lamella/report/modes_table.h>
 #include <lamella/report/summary.h>
 
 #include <nlohmann/json.hpp>

@@ -10,7 +10,7 @@
 #include <lamella/contact/main_normals.h>
 #include <lamella/run/built_scene.h>
 #include <lamella/run/first_failure.h>
-#include <lamella/scene/plausibility.h>
+#include <lamella/scene/scene_checks.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/solve/phase.h>
 
@@ -75,7 +75,6 @@ namespace lamella
           if (!given.bodies[side->body].stabilization &&
               (side == &contact.first || contact.obstacle == nullptr))
             stabilizations[side->body].share = stabilization_of_contact;
-      // Springs on rigid motions, which SmallMotions removes.
       for (unsigned int b = 0; b < given.bodies.size(); ++b)
         if (given.bodies[b].has_inertia && !given.bodies[b].stabilization)
           stabilizations[b].share = stabilization_of_contact;
@@ -165,6 +164,9 @@ namespace lamella
                given.gravity);
     Bodies bodies = make_bodies_with_fields();
     set_isostatic_motions(bodies);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (given.bodies[b].has_inertia)
+        densities(*bodies[b]);
     std::vector<Load>          loads          = given.loads;
     std::vector<Stabilization> stabilizations = stabilizations_of(given);
     add_guided_obstacles(

@@ -6,11 +6,10 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/report/validation.h>
-#include <lamella/run/find_modes.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/memory_budget.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <optional>
 #include <ostream>
@@ -209,13 +208,13 @@ namespace lamella
     if (const std::string note = recorder->note_on_idle_contacts();
         !note.empty())
       found.endnotes.push_back(note);
-    if (scene().find.first_failure)
-      find_first_failure();
     if (scene().find.modes || scene().find.n_buckling_modes > 0)
       {
         TimerOutput::Scope scope(timer, name_of(Phase::modes));
         find_modes(*built, solver.get(), path->state(), found);
       }
+    if (scene().find.first_failure)
+      find_first_failure();
     if (solver != nullptr)
       for (const std::string &warning : solver->contact_strategy().warnings())
         found.endnotes.push_back(warning);

@@ -4,7 +4,6 @@
 #include <lamella/base/patterns.h>
 #include <lamella/scene/rotation_rules.h>
 #include <lamella/scene/scene_checks.h>
-#include <lamella/scene/stacks.h>
 #include <lamella/scene/subsection_kinds.h>
 #include <lamella/shape/corner_layers.h>
 #include <lamella/shape/properties.h>
@@ -269,7 +268,13 @@ namespace lamella
       resolve_requests(prm, names.at("Bodies"), scene);
       scene.find = FindRequest::parse(in, !scene.strength.criteria.empty());
       for (BodyDescription &body : scene.bodies)
-        body.has_inertia = scene.find.modes.has_value();
+        if (body.has_inertia = scene.find.modes.has_value();
+            body.has_inertia && body.is_held)
+          in["Find"].refuse("scene.modes-with-isostatic-support: body '" +
+                              body.name +
+                              "' has Isostatic support = true, which would "
+                              "hold it in its modes",
+                            "Remove that entry: bodies of modes may be free.");
       check_sizes(scene);
       check_equilibrium(scene, in["Gravity"]);
       check_friction(scene, in);

@@ -3,10 +3,16 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/text.h>
+#include <lamella/material/plausibility.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/scene_checks.h>
 
 #include <numeric>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lamella
 {
@@ -118,5 +124,219 @@ namespace lamella
         "scene.tolerance-with-friction: contact " + contact->name +
           " has friction, but a Tolerance does not refine load steps",
         "Remove Tolerance; Error bars = true estimates errors.");
+  }
+
+
+
+  namespace
+  {
+    constexpr double pi = dealii::numbers::PI;
+
+
+
+    /// Returns the lengths of @p units per meter.
+    double
+    meter(const Units &units)
+    {
+      return 1. / std::sqrt(units.pascal);
+    }
+
+
+
+    std::string
+    check_units(const Units &units, const std::string &what)
+    {
+      return ". Units = " + units.length + ", " + units.force +
+             " means lengths in " + units.length + "; check that " + what +
+             " in this unit";
+    }
+
+
+
+    std::string
+    angle_warning(const SectionMesh &section)
+    {
+      // Limit for radians, about pi, and a tolerance for three or more digits.
+      constexpr double most = 3.2, written = 1e-3;
+      const Ply       *told = nullptr;
+      unsigned int     part = 0;
+      for (const Ply &ply : section.plies)
+        {
+          if (std::abs(ply.angle) > most)
+            return "";
+          for (const unsigned int n : {2, 3, 4, 6})
+            if (std::abs(std::abs(ply.angle) - pi / n) < written)
+              {
+                told = &ply;
+                part = n;
+              }
+        }
+      if (told == nullptr)
+        return "";
+      return "scene.angle-in-radians: the angle " + to_text(told->angle) +
+             " of a ply equals pi / " + std::to_string(part) +
+             ", as if in radians (no angle exceeds " + to_text(most) +
+             "). Angles are in degrees: write " + std::to_string(180 / part) +
+             " if this is meant";
+    }
+
+
+
+    std::string
+    soft_material_warning(const SectionMesh &section, const Units &units)
+    {
+      // Lower limit of plies, metals, glass and wood [Pa]; density of foams
+      // [kg / m^3] and Poisson's ratio of rubbers, which may be softer.
+      constexpr double soft = 1e9, light = 600., incompressible = 0.45;
+      const Ply       &stiffest =
+        *std::max_element(section.plies.begin(),
+                          section.plies.end(),
+                          [](const Ply &a, const Ply &b) {
+                            return largest_modulus(a.properties).second <
+                                   largest_modulus(b.properties).second;
+                          });
+      const Material &material = stiffest.properties;
+      const auto [name, E]     = largest_modulus(material);
+      const bool is_soft =
+        material.core || material.elastic.nu12 >= incompressible ||
+        (material.density &&
+         *material.density < light * units.pascal * units.pascal);
+      if (E >= soft * units.pascal || is_soft ||
+          !material_warnings("", material, units).empty())
+        return "";
+      return "scene.soft-material: the stiffest material of the section, " +
+             stiffest.material + ", has " + name + " = " + to_text(E) + " " +
+             units.stress + ", but plies and metals have more than " +
+             to_text(soft * units.pascal) + " " + units.stress +
+             " (foams and rubbers less). Units = " + units.length + ", " +
+             units.force + " means stresses in " + units.stress +
+             "; check that the moduli are in this unit";
+    }
+
+
+
+    std::string
+    size_warning(const SectionMesh &section, const Units &units)
+    {
+      // Limits in micrometers.
+      constexpr double thinnest = 1., thickest = 1e7;
+      const auto   box = dealii::GridTools::compute_bounding_box(section.mesh);
+      const double thickness =
+        1e6 * std::min(box.side_length(0), box.side_length(1)) / meter(units);
+      if (thickness >= thinnest && thickness <= thickest)
+        return "";
+      return "scene.section-size: the section is " +
+             to_text(box.side_length(0)) + " by " +
+             to_text(box.side_length(1)) + " " + units.length +
+             (thickness < thinnest ? ", thinner than a micrometer" :
+                                     ", thicker than 10 m") +
+             check_units(units, "the lengths of the section are");
+    }
+
+
+
+    /// Returns the material name and thickness of each ply of @p shape.
+    std::vector<std::pair<std::string, double>>
+    thicknesses(const SectionShape &shape)
+    {
+      std::vector<std::pair<std::string, double>> all;
+      const auto add = [&all](const WallLayup &layup) {
+        for (const WallPly &ply : layup)
+          all.emplace_back(ply.oriented_material.material, ply.thickness);
+      };
+      if (const auto *laminate = std::get_if<Laminate>(&shape))
+        for (unsigned int k = 0; k < laminate->materials.size(); ++k)
+          all.emplace_back(laminate->materials[k], laminate->thicknesses[k]);
+      else if (const auto *tube = std::get_if<Tube>(&shape))
+        add(tube->layup);
+      else if (const auto *walls = std::get_if<ThinWalled>(&shape))
+        for (const WallLayup &layup : walls->layups)
+          add(layup);
+      return all;
+    }
+
+
+
+    std::string
+    ply_thickness_warning(const SectionShape &shape, const Scene &scene)
+    {
+      // Thickness of carbon fibers and upper limit for plies [micrometers];
+      // lower limits for E1 of fiber plies [Pa] and for E1 / E3.
+      constexpr double thinnest = 5., thickest = 1e5, stiff = 30e9,
+                       of_fibers = 2.;
+      const Units &units         = scene.units;
+      for (const auto &[name, thickness] : thicknesses(shape))
+        {
+          const EngineeringConstants &c = scene.materials.at(name).elastic;
+          const double in_micrometers   = 1e6 * thickness / meter(units);
+          if (c.E1 > stiff * units.pascal && c.E1 > of_fibers * c.E3 &&
+              (in_micrometers < thinnest || in_micrometers > thickest))
+            return "scene.ply-thickness: the section has a ply of " + name +
+                   " with the thickness " + to_text(thickness) + " " +
+                   units.length +
+                   (in_micrometers < thinnest ?
+                      ", thinner than its fibers (5 micrometers)" :
+                      ", thicker than 100 mm") +
+                   check_units(units, "Ply thickness is");
+        }
+      return "";
+    }
+
+
+
+    std::vector<std::string>
+    section_warnings(const Scene &scene, const SectionMeshes &meshes)
+    {
+      std::vector<std::string> plausibility_warnings;
+      for (const auto &[name, mesh] : meshes)
+        {
+          std::vector<std::string> of_section{angle_warning(*mesh)};
+          if (!scene.units.stress.empty())
+            {
+              of_section.push_back(soft_material_warning(*mesh, scene.units));
+              const std::string size = size_warning(*mesh, scene.units);
+              // One of the two warnings suffices.
+              of_section.push_back(
+                size.empty() ?
+                  ply_thickness_warning(scene.sections.at(name), scene) :
+                  size);
+            }
+          for (const std::string &warning : of_section)
+            if (!warning.empty())
+              {
+                const Message message(warning);
+                plausibility_warnings.push_back(message.identifier +
+                                                ": section " + name + ": " +
+                                                message.text);
+              }
+        }
+      return plausibility_warnings;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  magnitude_warnings(const Scene &scene, const SectionMeshes &meshes)
+  {
+    // Gravity of the Earth: 9.78 to 9.83 m/s^2.
+    constexpr double         least = 9.7, most = 9.9, thousand = 1000.;
+    std::vector<std::string> plausibility_warnings =
+      section_warnings(scene, meshes);
+    const double g     = scene.gravity.norm();
+    const bool   is_mm = scene.units.length == "mm";
+    const double there = is_mm ? g : g / thousand;
+    if (!scene.units.length.empty() && there > least && there < most)
+      plausibility_warnings.push_back(
+        "scene.unusual-gravity: Gravity is " + to_text(g) + " " +
+        scene.units.length + "/s^2, but on Earth the value is " +
+        (is_mm ? "9810" : "9.81") + ". Check its unit");
+    for (const Support &support : scene.supports)
+      if (support.rotation && support.rotation->norm() > 2. * pi)
+        plausibility_warnings.push_back(
+          "scene.rotation-above-turn: support " + support.name +
+          ": its Rotation, " + to_text(support.rotation->norm()) +
+          " rad, is more than a revolution. A degree is 0.0174533 rad");
+    return plausibility_warnings;
   }
 } // namespace lamella

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/entry.h>
-#include <lamella/scene/stacks.h>
+#include <lamella/scene/scene_checks.h>
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/linear/columns.h>
+#include <lamella/linear/factor_row.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/section/warping.h>
 

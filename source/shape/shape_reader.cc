@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
-#include <lamella/material/layup.h>
+#include <lamella/material/material.h>
 #include <lamella/shape/shape_reader.h>
 
 #include <filesystem>

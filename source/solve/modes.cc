@@ -4,9 +4,10 @@
 // stiffness: A v = mu K v with A = M and mu = 1 / omega^2 (shift-invert at
 // zero), or A = -K_G and mu = 1 / lambda.
 
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/entry.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/mass_matrix.h>
 #include <lamella/solve/modes.h>
 #include <lamella/solve/small_motions.h>
 
@@ -21,13 +22,20 @@ namespace lamella
 
   namespace
   {
-    /// Throws InputError if a model with @p n_free DoFs has no basis of the
-    /// Lanczos method for @p n modes.
+    /// Returns the number of modes for which a model with @p n_free DoFs has a
+    /// basis of the Lanczos method: 2 n + 10 vectors, and a residual.
+    unsigned int
+    largest_number(const unsigned int n_free)
+    {
+      return n_free < 13 ? 0 : (n_free - 11) / 2;
+    }
+
+
+
     void
     check_number(const unsigned int n, const unsigned int n_free)
     {
-      // 2 n + 10 vectors, and one more for the residual.
-      const unsigned int most = n_free < 13 ? 0 : (n_free - 11) / 2;
+      const unsigned int most = largest_number(n_free);
       if (n > most)
         throw InputError("Modes",
                          std::to_string(n),
@@ -115,6 +123,27 @@ namespace lamella
 
 
 
+    /// Returns the pairs with frequencies up to more than @p upper, if the
+    /// model has so many DoFs.
+    Eigenpairs
+    pairs_beyond(const double        upper,
+                 const Eigenproblem &problem,
+                 const BlockVector  &like,
+                 const unsigned int  n_free)
+    {
+      const unsigned int most = largest_number(n_free);
+      for (unsigned int n = 10;; n *= 2)
+        {
+          Eigenpairs pairs =
+            all_eigenpairs(problem, like, std::min(n, most), n_free);
+          if (pairs.values.empty() || n >= most ||
+              frequency(pairs.values.back()) > upper)
+            return pairs;
+        }
+    }
+
+
+
     /// Returns the pairs of @p problem that @p request wants.
     Eigenpairs
     requested_pairs(const Eigenproblem &problem,
@@ -125,36 +154,65 @@ namespace lamella
       if (!request.range)
         return all_eigenpairs(problem, like, request.number, n_free);
       const auto [lower, upper] = *request.range;
-      Eigenpairs pairs;
-      for (unsigned int n = 10;; n *= 2)
-        {
-          pairs = all_eigenpairs(problem, like, n, n_free);
-          if (pairs.values.empty() || frequency(pairs.values.back()) > upper)
-            break;
-        }
-      double     nearest = 0.;
+      const Entry      entry("Modes", to_text(lower) + " to " + to_text(upper));
+      const Eigenpairs all = pairs_beyond(upper, problem, like, n_free);
+      if (all.values.empty() || frequency(all.values.back()) <= upper)
+        entry.refuse("solve.range-of-modes-too-high: the model has only " +
+                       std::to_string(n_free) +
+                       " free DoFs, too few for all "
+                       "modes of this range",
+                     "Use more elements, or a lower limit.");
       Eigenpairs inside;
-      for (unsigned int k = 0; k < pairs.values.size(); ++k)
+      double     nearest = frequency(all.values.front());
+      for (unsigned int k = 0; k < all.values.size(); ++k)
         {
-          const double f    = frequency(pairs.values[k]);
-          const auto   away = [&](const double of) {
+          const double f    = frequency(all.values[k]);
+          const auto   away = [lower = lower, upper = upper](const double of) {
             return std::max(lower - of, of - upper);
           };
-          if (k == 0 || away(f) < away(nearest))
+          if (away(f) < away(nearest))
             nearest = f;
-          if (f < lower || f > upper)
+          if (away(f) > 0.)
             continue;
-          inside.values.push_back(pairs.values[k]);
-          inside.vectors.push_back(pairs.vectors[k]);
+          inside.values.push_back(all.values[k]);
+          inside.vectors.push_back(all.vectors[k]);
         }
       if (inside.values.empty())
-        throw InputError("Modes",
-                         to_text(lower) + " to " + to_text(upper),
-                         "solve.no-mode-in-range: no natural frequency is in "
-                         "this range; the nearest one is " +
-                           to_text(nearest, 6) + " Hz",
-                         "Write a range that contains it.");
+        entry.refuse("solve.no-mode-in-range: no natural frequency is in this "
+                     "range; the nearest one is " +
+                       to_text(nearest, 6) + " Hz",
+                     "Write a range that contains it.");
       return inside;
+    }
+
+
+
+    /// Returns the problem A v = mu K v with the stiffness of @p motions.
+    Eigenproblem
+    eigenproblem(const Operator &times_A, const SmallMotions &motions)
+    {
+      return {times_A,
+              [&](const BlockVector &v) { return motions.times_stiffness(v); },
+              [&](const BlockVector &f) { return motions.solve(f); }};
+    }
+
+
+
+    /// Throws NumericsError if the stresses of @p prestress give a rigid motion
+    /// a stiffness that is considerable beside the lowest omega^2, @p lowest.
+    void
+    check_rigid_motions(const SmallMotions       &motions,
+                        const GeometricStiffness *prestress,
+                        const Eigenpairs         &pairs)
+    {
+      for (const BlockVector &r : motions.rigid_motions())
+        if (prestress != nullptr && !pairs.values.empty() &&
+            std::abs((*prestress)(r)*r) * pairs.values.front() >
+              arithmetic::dependency_tolerance)
+          throw NumericsError(
+            "solve.prestressed-rigid-motion: The stresses of the last load step "
+            "give a free rigid motion a stiffness, as in a pendulum. Linear "
+            "kinematics cannot represent that. Use Rotations = large.");
     }
 
 
@@ -204,35 +262,33 @@ namespace lamella
     const Structure &structure = system.tangent().of();
     NaturalModes     found;
     found.inertia = inertia_of(structure.bodies());
-    const MassMatrix   mass(structure, state.u);
+    const MassMatrix mass(structure, state.u);
+    const Operator   times_mass = [&](const BlockVector &v) { return mass(v); };
     const SmallMotions motions(
       system,
       state,
-      [&](const BlockVector &v) { return mass(v); },
-      prestress == nullptr ?
-        Operator() :
-        [&](const BlockVector &v) { return (*prestress)(v); });
-    found.n_rigid = motions.rigid_motions().size();
-    const Eigenproblem problem{
-      [&](const BlockVector &v) { return mass(v); },
-      [&](const BlockVector &v) { return motions.times_stiffness(v); },
-      [&](const BlockVector &f) { return motions.solve(f); },
-      true};
-    Eigenpairs pairs = requested_pairs(problem,
+      times_mass,
+      prestress == nullptr ? Operator() : [&](const BlockVector &v) {
+        return (*prestress)(v);
+      });
+    found.n_rigid           = motions.rigid_motions().size();
+    Eigenproblem problem    = eigenproblem(times_mass, motions);
+    problem.in_product_of_A = true;
+    Eigenpairs pairs        = requested_pairs(problem,
                                        structure.zero(),
                                        request,
                                        motions.n_free_dofs());
+    check_rigid_motions(motions, prestress, pairs);
     const auto whole =
       rigid_motions_about(structure, state.u, found.inertia.center());
     for (unsigned int k = 0; k < pairs.values.size(); ++k)
       {
-        found.modes.push_back(natural_mode(
-          pairs.values[k], std::move(pairs.vectors[k]), mass, whole));
-        describe(structure,
-                 state.u,
-                 mass.energies(found.modes.back().shape),
-                 false,
-                 found.modes.back());
+        Mode mode = natural_mode(pairs.values[k],
+                                 std::move(pairs.vectors[k]),
+                                 mass,
+                                 whole);
+        describe(structure, state.u, mass.energies(mode.shape), false, mode);
+        found.modes.push_back(std::move(mode));
       }
     return found;
   }
@@ -249,14 +305,13 @@ namespace lamella
     const SmallMotions motions(system, state, [](const BlockVector &v) {
       return v;
     });
-    const Eigenproblem problem{
+    const Eigenproblem problem = eigenproblem(
       [&](const BlockVector &v) {
         BlockVector f = geometric(v);
         f *= -1.;
         return f;
       },
-      [&](const BlockVector &v) { return motions.times_stiffness(v); },
-      [&](const BlockVector &f) { return motions.solve(f); }};
+      motions);
     Eigenpairs pairs =
       all_eigenpairs(problem, structure.zero(), number, motions.n_free_dofs());
     std::vector<Mode> modes;

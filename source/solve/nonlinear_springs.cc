@@ -9,8 +9,8 @@
 #include <lamella/base/text.h>
 #include <lamella/solve/contact_strategy.h>
 #include <lamella/solve/friction_step.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/nonlinear_solver.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

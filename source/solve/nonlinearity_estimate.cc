@@ -6,6 +6,8 @@
 #include <lamella/solve/nonlinearity_estimate.h>
 #include <lamella/solve/small_motions.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -50,53 +52,177 @@ namespace lamella
 
 
 
-    /// Returns the first buckling mode and the inverse mu of its factor, unless
-    /// mu is below @p least. A search with springs finds whether there is one:
-    /// 1
-    /// + mu to 1 %. A second one, without springs, finds mu to 1 %, or 5 % far
-    /// from buckling, and a second mode, as one alone may converge to that.
-    std::optional<std::pair<double, BlockVector>>
-    first_buckling_mode(LinearSystem             &solver,
-                        const State              &state,
-                        const GeometricStiffness &geometric,
-                        const double              least)
+    /// Lanczos' iteration for the largest mu of -K_G v = mu K v, K the
+    /// stiffness that @p solver solves with the active rows of a state. In the
+    /// inner product of K the operator -K^-1 K_G is symmetric, and no product
+    /// with K is needed: with every vector q comes the load K q that made it.
+    class BucklingModes
     {
-      constexpr unsigned int basis = 5, restarts = 20;
-      const BlockVector      start = random_vector(state.u);
-      using Found       = std::optional<std::pair<double, BlockVector>>;
-      const auto search = [&](const bool               without_springs,
-                              const unsigned int       n,
-                              const LanczosParameters &parameters) -> Found {
-        const SmallMotions motions(
-          solver, state, [](const auto &v) { return v; }, {}, without_springs);
-        if (motions.n_free_dofs() <= parameters.vectors)
-          return {};
-        const Eigenpairs pairs = largest_eigenpairs({[&](const BlockVector &v) {
-                                                       BlockVector f =
-                                                         geometric(v);
-                                                       f *= -1.;
-                                                       return f;
-                                                     },
-                                                     {},
-                                                     [&](const BlockVector &f) {
-                                                       return motions.solve(f);
-                                                     }},
-                                                    start,
-                                                    n,
-                                                    parameters);
-        if (pairs.values.empty() || pairs.values[0] < least)
-          return {};
-        const BlockVector &v = pairs.vectors[0];
-        const double       mu =
-          -(geometric(v) * v) / (motions.times_stiffness(v) * v);
-        return mu >= least ? Found({mu, v}) : Found();
-      };
-      const Found first = search(false, 1, {1e-2, basis, restarts, 1.});
-      return !first ?
-               Found() :
-               search(solver.tangent().of().has_springs(),
-                      2,
-                      {first->first < near ? 5e-2 : 1e-2, 2 * basis, restarts});
+    public:
+      BucklingModes(const Structure          &structure,
+                    LinearSystem             &solver,
+                    const ActiveConstraints  &closed,
+                    const GeometricStiffness &geometric)
+        : structure(structure)
+        , solver(solver)
+        , closed(closed)
+        , geometric(geometric)
+      {}
+
+      /// Iterates until the largest mu that is no mode of stabilizing springs
+      /// is known to a part in a million or certainly below @p least. Returns
+      /// it with its mode, or none that is at least that. What springs hold of
+      /// the mode is taken off its energy, as Rayleigh's quotient has it.
+      std::optional<std::pair<double, BlockVector>>
+      largest(const double least);
+
+    private:
+      /// K^-1 @p load with the active rows closed.
+      BlockVector
+      solve(const BlockVector &load);
+      /// Subtracts the parts along all q from @p v, of @p load; returns them.
+      std::vector<double>
+      orthogonalize(BlockVector &v, BlockVector &load) const;
+      /// Makes @p v and its load the next q, unless it has no length.
+      bool
+      append(BlockVector v, BlockVector load);
+      /// Share of stabilizing springs in the (unit) energy of @p mode.
+      double
+      share_of_springs(const BlockVector &mode) const;
+
+      const Structure          &structure;
+      LinearSystem             &solver;
+      const ActiveConstraints   closed;
+      const GeometricStiffness &geometric;
+      /// Of unit energy q . K q and orthogonal, and K times them.
+      std::vector<BlockVector> q, Kq;
+      /// The length of what the last step found beyond q.
+      double beta = 0.;
+    };
+
+
+
+    BlockVector
+    BucklingModes::solve(const BlockVector &load)
+    {
+      BlockVector du;
+      Vector      gaps(closed.numbers.size()), forces;
+      solver.solve_linear(closed, load, gaps, du, forces);
+      return du;
+    }
+
+
+
+    std::vector<double>
+    BucklingModes::orthogonalize(BlockVector &v, BlockVector &load) const
+    {
+      std::vector<double> parts(q.size(), 0.);
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        for (unsigned int i = 0; i < q.size(); ++i)
+          {
+            const double part = v * Kq[i];
+            v.add(-part, q[i]);
+            load.add(-part, Kq[i]);
+            parts[i] += part;
+          }
+      return parts;
+    }
+
+
+
+    bool
+    BucklingModes::append(BlockVector v, BlockVector load)
+    {
+      const double energy = v * load;
+      if (!(energy > 0.))
+        return false;
+      beta = std::sqrt(energy);
+      v /= beta;
+      load /= beta;
+      q.push_back(std::move(v));
+      Kq.push_back(std::move(load));
+      return true;
+    }
+
+
+
+    double
+    BucklingModes::share_of_springs(const BlockVector &mode) const
+    {
+      double energy = 0.;
+      for (unsigned int b = 0; b < mode.n_blocks(); ++b)
+        for (const Spring &spring : structure.springs(b))
+          {
+            const double length = spring.row(mode.block(b));
+            energy += spring.stiffness * length * length;
+          }
+      return energy;
+    }
+
+
+
+    std::optional<std::pair<double, BlockVector>>
+    BucklingModes::largest(const double least)
+    {
+      constexpr unsigned int first_look = 4, most_steps = 30;
+      // Of mu; its error is of the square of the residual. What is far away
+      // need not be known as well as what is near.
+      constexpr double settled = 1e-2, settled_far = 0.05;
+      constexpr double of_springs = 0.5,
+                       rounding   = arithmetic::rounding_of_solutions;
+
+      // Forces anywhere excite all modes.
+      const BlockVector load = random_vector(structure.zero());
+      if (!append(solve(load), load))
+        return {};
+
+      std::vector<std::vector<double>> columns;
+      while (true)
+        {
+          BlockVector next_load = geometric(q.back());
+          next_load *= -1.;
+          BlockVector next = solve(next_load);
+          columns.push_back(orthogonalize(next, next_load));
+          const unsigned int n = columns.size();
+          const bool         is_exhausted =
+            !append(std::move(next), std::move(next_load)) ||
+            beta < rounding * std::abs(columns[0][0]);
+
+          LAPACKFullMatrix<double> T(n, n);
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i <= j; ++i)
+              T(i, j) = T(j, i) = columns[j][i];
+          Vector             mu;
+          FullMatrix<double> s;
+          T.compute_eigenvalues_symmetric(
+            -T.frobenius_norm() - 1., T.frobenius_norm() + 1., 0., mu, s);
+          // Ascending: the largest first that is the bodies' own.
+          for (unsigned int k = n; k-- > 0;)
+            {
+              const double residual =
+                is_exhausted ? 0. : std::abs(beta * s(n - 1, k));
+              const bool is_settled =
+                residual <=
+                (mu[k] < near ? settled_far : settled) * std::abs(mu[k]);
+              if (n >= first_look && mu[k] + residual < least)
+                return {};
+              if (is_exhausted && mu[k] < least)
+                return {};
+              if (!is_settled && n < most_steps)
+                break;
+              BlockVector mode = structure.zero();
+              for (unsigned int i = 0; i < n; ++i)
+                mode.add(s(i, k), q[i]);
+              if (const double held = share_of_springs(mode); held < of_springs)
+                {
+                  if (mu[k] < least)
+                    return {};
+                  return std::make_pair(mu[k] / (1. - held), mode);
+                }
+            }
+          if (is_exhausted || n == most_steps)
+            return {};
+        }
     }
 
 
@@ -192,8 +318,11 @@ namespace lamella
       return found;
     const double least =
       std::max(worth_solving, geometric.largest_short_wave_ratio());
-    if (const auto buckling =
-          first_buckling_mode(solver, state, geometric, least))
+    BucklingModes modes(structure,
+                        solver,
+                        solver.sticking_equations(state),
+                        geometric);
+    if (const auto buckling = modes.largest(least))
       {
         const auto &[mu, mode] = *buckling;
         found.buckling_factor  = 1. / mu;

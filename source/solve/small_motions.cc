@@ -2,6 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 #include <lamella/contact/interface_law.h>
 #include <lamella/solve/small_motions.h>
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 namespace lamella
 {
@@ -61,8 +64,7 @@ namespace lamella
   SmallMotions::SmallMotions(LinearSystem  &system,
                              const State   &state,
                              const Operator weight,
-                             const Operator prestress,
-                             const bool     is_exact)
+                             const Operator prestress)
     : system(system)
     , structure(system.tangent().of())
     , rows(system.constraints())
@@ -70,8 +72,6 @@ namespace lamella
     , weight(weight)
     , prestress(prestress)
   {
-    if (!is_exact)
-      return;
     choose_refinements();
     remove_springs();
   }
@@ -118,7 +118,8 @@ namespace lamella
           u = du;
         else
           u += du;
-        lambda += dlambda;
+        for (unsigned int i = 0; i < lambda.size(); ++i)
+          lambda[i] += dlambda[i];
         if (k == refinements)
           break;
         // Residuals of equilibrium and of the closed constraints.
@@ -251,9 +252,19 @@ namespace lamella
                           arithmetic::rounding_of_solutions * right.l2_norm(),
                           false,
                           false);
-    SolverGMRES<BlockVector>(control,
-                             SolverGMRES<BlockVector>::AdditionalData(most))
-      .solve(whole, u, right, PreconditionIdentity());
+    try
+      {
+        SolverGMRES<BlockVector>(control,
+                                 SolverGMRES<BlockVector>::AdditionalData(most))
+          .solve(whole, u, right, PreconditionIdentity());
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw NumericsError(
+          "solve.prestress-too-large: The stresses of the last load step are so "
+          "large that natural modes with them could not be computed in linear "
+          "kinematics. Use Rotations = large.");
+      }
     return u;
   }
 
@@ -281,9 +292,72 @@ namespace lamella
   unsigned int
   SmallMotions::n_free_dofs() const
   {
-    DofIndex n = structure.n_dofs() - rigid.size() - closed.numbers.size();
+    DofIndex n = structure.n_dofs(), constrained = rigid.size();
+    for (const unsigned int number : closed.numbers)
+      constrained += law_compliance(rows[rows.row_of(number)]) == 0.;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      n -= system.tangent().reduction(b).constraints().n_constraints();
-    return n;
+      constrained +=
+        system.tangent().reduction(b).constraints().n_constraints();
+    return n > constrained ? n - constrained : 0;
+  }
+
+
+
+  MassMatrix::MassMatrix(const Structure &structure, const BlockVector &u)
+    : patterns(structure.bodies().size())
+    , matrices(structure.bodies().size())
+  {
+    for (unsigned int b = 0; b < matrices.size(); ++b)
+      {
+        const Body                    &body = *structure.bodies()[b];
+        dealii::DynamicSparsityPattern pattern(body.n_dofs());
+        body.for_each_mass_block(u.block(b),
+                                 false,
+                                 [&](const StiffnessBlock &block) {
+                                   for (const DofIndex row : block.rows)
+                                     pattern.add_entries(row,
+                                                         block.columns.begin(),
+                                                         block.columns.end(),
+                                                         block.columns_ascend);
+                                 });
+        patterns[b].copy_from(pattern);
+        matrices[b].reinit(patterns[b]);
+        body.for_each_mass_block(
+          u.block(b), true, [&](const StiffnessBlock &block) {
+            for (unsigned int i = 0; i < block.rows.size(); ++i)
+              matrices[b].add(block.rows[i],
+                              block.columns.size(),
+                              block.columns.data(),
+                              &block.values[i * block.columns.size()],
+                              true,
+                              block.columns_ascend);
+          });
+      }
+  }
+
+
+
+  BlockVector
+  MassMatrix::operator()(const BlockVector &v) const
+  {
+    BlockVector result(v);
+    for (unsigned int b = 0; b < matrices.size(); ++b)
+      {
+        matrices[b].vmult(result.block(b), v.block(b));
+        sum_over_processes(result.block(b));
+      }
+    return result;
+  }
+
+
+
+  std::vector<double>
+  MassMatrix::energies(const BlockVector &v) const
+  {
+    const BlockVector   momentum = (*this)(v);
+    std::vector<double> energies;
+    for (unsigned int b = 0; b < matrices.size(); ++b)
+      energies.push_back(0.5 * (momentum.block(b) * v.block(b)));
+    return energies;
   }
 } // namespace lamella

@@ -2,8 +2,8 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/solution_check.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <algorithm>
 #include <cmath>

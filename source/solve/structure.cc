@@ -5,8 +5,8 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/structure.h>
+#include <lamella/solve/tangent_operator.h>
 
 #include <algorithm>
 #include <cmath>

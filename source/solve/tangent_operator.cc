@@ -3,7 +3,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/solve/ill_conditioned.h>
 #include <lamella/solve/tangent_operator.h>
 
 #include <deal.II/lac/precondition.h>

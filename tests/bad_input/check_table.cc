@@ -28,8 +28,8 @@
 #include <lamella/material/plausibility.h>
 #include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>
-#include <lamella/scene/plausibility.h>
 #include <lamella/scene/scene.h>
+#include <lamella/scene/scene_checks.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 // A sparse matrix times many columns is what it is times each of them.
 
-#include <lamella/linear/columns.h>
+#include <lamella/linear/factor_row.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

@@ -10,7 +10,7 @@
 #include <lamella/body/total_lagrangian_beam.h>
 #include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/conditions/follower_load.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/nonlinearity_estimate.h>
 

@@ -9,8 +9,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/units.h>
 #include <lamella/material/elasticity.h>
-#include <lamella/material/layup.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/material/parameters.h>
 #include <lamella/material/plausibility.h>
 

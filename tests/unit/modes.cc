@@ -6,7 +6,6 @@
 #include "solved_scene.h"
 
 #include <lamella/body/body_solver.h>
-#include <lamella/solve/mass_matrix.h>
 #include <lamella/solve/small_motions.h>
 
 #include <boost/test/unit_test.hpp>
@@ -24,7 +23,7 @@ namespace
   SolvedScene
   clamped_beam(const std::string &theory)
   {
-    return {"prm/modes_laminated.prm",
+    return {"/prm/modes_laminated.prm",
             {"Theory=" + theory,
              "Find=modes",
              "Modes=1",
@@ -112,7 +111,7 @@ BOOST_AUTO_TEST_CASE(products_are_integrals_of_displacements)
 
 BOOST_AUTO_TEST_CASE(free_bodies_have_six_rigid_motions_each)
 {
-  const SolvedScene  scene("tests/scenes/modes_bar.prm",
+  const SolvedScene  scene("/tests/scenes/modes_bar.prm",
                           {"Supports=", "Loads=", "Theory=LE-2", "Modes=1"});
   const Structure   &structure = scene.run.model().structure();
   const MassMatrix   mass(structure, structure.zero());
@@ -171,15 +170,12 @@ BOOST_AUTO_TEST_CASE(an_exhausted_space_gives_its_eigenpairs)
     f[8] = 2. * v[8];
     return f;
   };
-  for (const Operator &times_B : {same, Operator()})
-    {
-      const Eigenpairs pairs = largest_eigenpairs({low, times_B, same},
-                                                  random_vector(like),
-                                                  1,
-                                                  {1e-6, 10, 20});
-      BOOST_REQUIRE(pairs.values.size() >= 1u);
-      BOOST_TEST(std::abs(pairs.values[0] - 7.) < 1e-9);
-    }
+  const Eigenpairs pairs = largest_eigenpairs({low, same, same},
+                                              random_vector(like),
+                                              1,
+                                              {1e-6, 10, 20});
+  BOOST_REQUIRE(pairs.values.size() >= 1u);
+  BOOST_TEST(std::abs(pairs.values[0] - 7.) < 1e-9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

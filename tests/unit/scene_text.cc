@@ -5,8 +5,8 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/scene/scene.h>
+#include <lamella/scene/scene_checks.h>
 #include <lamella/scene/scene_text.h>
-#include <lamella/scene/stacks.h>
 
 #include <boost/test/unit_test.hpp>
 

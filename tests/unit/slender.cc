@@ -9,7 +9,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/linear_system.h>
 #include <lamella/solve/solution_check.h>

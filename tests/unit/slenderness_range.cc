@@ -7,7 +7,7 @@
 
 #include "strip.h"
 
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 
 #include <boost/test/unit_test.hpp>
 

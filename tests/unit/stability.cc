@@ -8,7 +8,7 @@
 
 #include "strip.h"
 
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/section/lagrange_element.h>
 
 #include <boost/test/unit_test.hpp>

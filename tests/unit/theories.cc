@@ -9,7 +9,7 @@
 #include "entries.h"
 #include "fixtures.h"
 
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/shape/shapes.h>
 #include <lamella/solve/checks.h>
 

@@ -22,7 +22,7 @@
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/material/library.h>
+#include <lamella/material/material.h>
 #include <lamella/shape/shapes.h>
 
 #include <algorithm>

@@ -21,11 +21,8 @@ namespace lamella
   struct Eigenproblem
   {
     Operator times_A, ///< Returns A v.
-                      /// Returns B v. If empty, products are combined from
-                      /// those of known solutions: solve_B may then be
-                      /// inaccurate, as is any B with a factor.
-      times_B,
-      solve_B; ///< Returns B^-1 f.
+      times_B,        ///< Returns B v.
+      solve_B;        ///< Returns B^-1 f.
     /// True if A is positive definite and its product is the cheaper one: the
     /// Lanczos method then uses the inner product of A, otherwise that of B.
     bool in_product_of_A = false;
@@ -41,11 +38,10 @@ namespace lamella
   /// Parameters of the Lanczos method.
   struct LanczosParameters
   {
-    /// Largest residual of B^-1 A v = mu v divided by |mu + shift|.
+    /// Largest residual of B^-1 A v = mu v divided by |mu|.
     double       tolerance = arithmetic::quadrature_tolerance;
     unsigned int vectors   = 0;   ///< Size of the basis; 0: 2 n + 10.
     unsigned int restarts  = 100; ///< Largest number of restarts.
-    double       shift     = 0.;  ///< Only with the inner product of B.
   };
 
   /// Returns the @p n eigenpairs of @p problem with the largest eigenvalues, or
@@ -78,10 +74,10 @@ namespace lamella
   void
   refine_by_rayleigh_ritz(const Eigenproblem &problem, Eigenpairs &pairs);
 
-  /// Returns equally distributed pseudorandom numbers in [-1, 1], always the
-  /// same, in blocks as of @p like: they excite all eigenvectors.
+  /// Returns equally distributed pseudorandom numbers in [-1, 1], the same for
+  /// each @p seed, in blocks as of @p like: they excite all eigenvectors.
   BlockVector
-  random_vector(const BlockVector &like);
+  random_vector(const BlockVector &like, const unsigned int seed = 1);
 } // namespace lamella
 
 #endif

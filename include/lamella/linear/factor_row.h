@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 namespace lamella
 {
   /// A row of the five axis matrices, or of the five section matrices, whose
@@ -45,6 +47,12 @@ namespace lamella
       }
     return row;
   }
+
+  /// Returns the product of the sparse matrix @p A and the dense matrix @p X.
+  /// Several columns of X are processed together, to read each entry of A once.
+  /// Each column of the result is bitwise equal to a matrix-vector product.
+  dealii::LAPACKFullMatrix<double>
+  times_columns(const Matrix &A, const dealii::LAPACKFullMatrix<double> &X);
 } // namespace lamella
 
 #endif

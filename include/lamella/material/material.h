@@ -7,11 +7,15 @@
 #ifndef lamella_material_material_h
 #define lamella_material_material_h
 
+#include <lamella/base/entry.h>
+#include <lamella/base/units.h>
 #include <lamella/material/elasticity.h>
 
 #include <map>
 #include <optional>
 #include <string>
+
+#include <vector>
 
 namespace lamella
 {
@@ -141,6 +145,32 @@ namespace lamella
     ElasticTensor C;
     Voigt         initial;
   };
+
+  /// Returns the names of the built-in materials in the order of the library.
+  std::vector<std::string>
+  library_materials();
+
+  /// Returns the built-in material @p name, converted to the stress unit of @p
+  /// units. Data that its source (doc/reference/materials.md) lacks are empty.
+  /// hertz-200, whose modulus has no unit, is not converted. Throws InputError,
+  /// which suggests the most similar name, if there is no such material.
+  Material
+  library_material(const std::string &name, const Units &units);
+  /// Returns the built-in material whose name is the text of @p entry, in the
+  /// stress unit of @p units. Throws InputError if there is none.
+  Material
+  library_material(const Entry &entry, const Units &units);
+
+  /// Parses a laminate code such as `0/90/0`, `[0/90]s` or `[0/+-45/90]2s` and
+  /// returns the ply angles in degrees (see ply_axes()), bottom to top. Angles
+  /// are separated by slashes; `+-45` or `-+45` is a pair of plies. Brackets
+  /// may be followed by a repetition factor and by `s` for a symmetric
+  /// laminate. Repetition precedes reflection: [0/90]2s is 0/90/0/90/90/0/90/0.
+  ///
+  /// A code has at most 1000 characters and a repetition factor from 1 to 1000.
+  /// Throws InputError if the text of @p entry is not a laminate code.
+  std::vector<double>
+  parse_layup(const Entry &entry);
 } // namespace lamella
 
 #endif

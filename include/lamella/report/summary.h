@@ -7,6 +7,9 @@
 
 #include <string>
 
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+
 namespace lamella
 {
   /// Returns the content of summary.json (doc/reference/output.md): resultants
@@ -14,6 +17,19 @@ namespace lamella
   /// steps. Bytes that are not valid UTF-8 are replaced.
   std::string
   summary_text(const Results &results);
+
+  /// Returns modes.csv: a line per natural mode, then per buckling mode, with
+  /// the columns of doc/reference/output.md.
+  std::string
+  modes_csv(const Results &results);
+
+  /// Prints tables of natural and buckling modes; nothing if there are none.
+  void
+  print_modes(std::ostream &out, const Results &results);
+
+  /// Adds the keys `inertia`, `modes` and `buckling_modes` to @p json.
+  void
+  add_modes(const Results &results, nlohmann::ordered_json &json);
 } // namespace lamella
 
 #endif

@@ -4,7 +4,6 @@
 #define lamella_solve_modes_h
 
 #include <lamella/body/fields.h>
-#include <lamella/body/motion_shares.h>
 #include <lamella/solve/linear_system.h>
 
 #include <array>

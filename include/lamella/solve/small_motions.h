@@ -6,6 +6,7 @@
 #include <lamella/body/second_order.h>
 #include <lamella/linear/eigenpairs.h>
 #include <lamella/solve/linear_system.h>
+#include <lamella/solve/structure.h>
 
 #include <memory>
 #include <vector>
@@ -63,13 +64,11 @@ namespace lamella
     /// Prepares the equations about @p state, which @p system has solved. @p
     /// weight is the product with the mass matrix M or another weight; it
     /// must not be empty. @p prestress is the product with K_G, or empty.
-    /// If @p is_exact is false, solutions are as accurate as the factor, and
-    /// springs stay. Keeps references. Collective, as are all functions.
+    /// Keeps references. Collective, as are all functions.
     SmallMotions(LinearSystem  &system,
                  const State   &state,
                  const Operator weight,
-                 const Operator prestress = {},
-                 const bool     is_exact  = true);
+                 const Operator prestress = {});
 
     /// Returns (K + K_G + sum b a^-1 b^T) @p v, with the constraints b of
     /// closed gaps that have a compliance a; internal forces are computed from
@@ -126,6 +125,30 @@ namespace lamella
     /// Rows: (1 - G)^-1 in eigenvectors of G, without rigid motions.
     dealii::FullMatrix<double> correction;
     std::vector<BlockVector>   rigid, weighted_rigid;
+  };
+
+  /// The consistent mass matrix M = int rho R^T R dV of a structure, with the
+  /// density rho and the displacement functionals R of its DoFs: one sparse
+  /// matrix per body, in all DoFs, also prescribed ones (virtual work of the
+  /// inertial forces, delta u . M u'').
+  class MassMatrix
+  {
+  public:
+    /// Assembles the matrix of @p structure at the displacements @p u. Throws
+    /// InputError if a density is unknown. Collective.
+    MassMatrix(const Structure &structure, const BlockVector &u);
+
+    /// Returns M @p v. Collective.
+    BlockVector
+    operator()(const BlockVector &v) const;
+
+    /// Returns the kinetic energy v . M v / 2 of each body for velocities @p v.
+    std::vector<double>
+    energies(const BlockVector &v) const;
+
+  private:
+    std::vector<dealii::SparsityPattern> patterns;
+    std::vector<Matrix>                  matrices;
   };
 } // namespace lamella
 

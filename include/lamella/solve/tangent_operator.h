@@ -3,6 +3,7 @@
 #ifndef lamella_solve_tangent_operator_h
 #define lamella_solve_tangent_operator_h
 
+#include <lamella/base/exceptions.h>
 #include <lamella/solve/structure.h>
 
 #include <functional>
@@ -186,6 +187,15 @@ namespace lamella
   /// Returns the tangent stiffness at zero displacements, without solvers.
   std::shared_ptr<const TangentOperator>
   linearized_without_solvers(const Structure &structure);
+
+  /// Exception: the problem cannot be solved in double precision, for example
+  /// due to an indefinite stiffness or unbalanced forces. The solution is then
+  /// repeated with additional section functions of the beams.
+  class IllConditioned : public NumericsError
+  {
+  public:
+    using NumericsError::NumericsError;
+  };
 } // namespace lamella
 
 #endif
