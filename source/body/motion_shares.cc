@@ -5,6 +5,7 @@
 #include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/std_cxx17/cmath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,8 @@ namespace lamella
                     const Vector              &u,
                     const Vector              &v)
     {
-      const QGauss<3> gauss(2);
-      const double    same = arithmetic::quadrature_tolerance * body.size();
+      const QAnisotropic<3> gauss(QGauss<1>(2), QGauss<1>(4), QGauss<1>(2));
+      const double same = arithmetic::quadrature_tolerance * body.size();
       std::map<long, SectionMotion> sections;
       for (unsigned int cell = 0; cell < body.cells().n; ++cell)
         {
@@ -96,7 +97,8 @@ namespace lamella
     {
       double       mass = 0.;
       Tensor<1, 3> center, mean, omega;
-      Tensor<1, 3> angular_momentum; ///< About the center.
+      Tensor<1, 3> angular_momentum;   ///< About the center.
+      double       polar_inertia = 0.; ///< Trace of the moments of inertia.
     };
 
 
@@ -126,6 +128,7 @@ namespace lamella
           rigid.angular_momentum +=
             section.mass[k] * cross_product_3d(r, section.v[k]);
         }
+      rigid.polar_inertia = trace(inertia);
       // Points on a line do not determine the rotation.
       if (determinant(inertia) > 0.)
         rigid.omega = invert(inertia) * rigid.angular_momentum;
@@ -137,10 +140,11 @@ namespace lamella
     /// Adds the energies of the motions of @p section to @p shares: the rigid
     /// motion with its momenta, and what remains.
     void
-    add_energies(const SectionMotion &section, MotionShares &shares)
+    add_energies(const SectionMotion &section,
+                 const RigidVelocity &rigid,
+                 MotionShares        &shares)
     {
-      const RigidVelocity rigid = rigid_velocity(section);
-      const auto          add = [&](const Motion motion, const double energy) {
+      const auto add = [&](const Motion motion, const double energy) {
         shares[static_cast<unsigned int>(motion)] += std::max(0., energy);
       };
       const auto translation = [&](const unsigned int c) {
@@ -163,24 +167,57 @@ namespace lamella
           add(Motion::thickness, section.mass[k] * rest[2] * rest[2]);
         }
     }
+
+
+
+    /// Adds the momenta of a cross-section at @p s, from 0 to 1 along the body.
+    void
+    add_momenta(const RigidVelocity &rigid,
+                const double         s,
+                std::vector<double> &momenta)
+    {
+      constexpr unsigned int n_polynomials = 16;
+      momenta.resize(6 * n_polynomials);
+      const double radius = std::sqrt(rigid.polar_inertia / rigid.mass);
+      for (unsigned int k = 0; k < n_polynomials; ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const double factor =
+              std::sqrt(2. * k + 1.) * std_cxx17::legendre(k, 2. * s - 1.);
+            momenta[6 * k + c] += factor * rigid.mass * rigid.mean[c];
+            if (radius > 0.)
+              momenta[6 * k + 3 + c] +=
+                factor * rigid.angular_momentum[c] / radius;
+          }
+    }
   } // namespace
 
 
 
-  MotionShares
-  motion_shares(const Body                &body,
-                const std::vector<double> &rho,
-                const Vector              &u,
-                const Vector              &v)
+  BodyMotion
+  motion_of(const Body                &body,
+            const std::vector<double> &rho,
+            const Vector              &u,
+            const Vector              &v)
   {
-    MotionShares shares{};
-    for (const auto &[y, section] : section_motions(body, rho, u, v))
-      add_energies(section, shares);
+    BodyMotion motion;
+    const auto sections = section_motions(body, rho, u, v);
+    if (sections.empty())
+      return motion;
+    const double first  = sections.begin()->first,
+                 length = std::max(1., sections.rbegin()->first - first);
+    for (const auto &[y, section] : sections)
+      {
+        const RigidVelocity rigid = rigid_velocity(section);
+        add_energies(section, rigid, motion.shares);
+        if (rigid.mass > 0.)
+          add_momenta(rigid, (y - first) / length, motion.momenta);
+      }
     double sum = 0.;
-    for (const double share : shares)
+    for (const double share : motion.shares)
       sum += share;
-    for (double &share : shares)
+    for (double &share : motion.shares)
       share /= sum > 0. ? sum : 1.;
-    return shares;
+    return motion;
   }
 } // namespace lamella

@@ -44,8 +44,12 @@ namespace lamella
                            const std::string                             &what,
                            const std::function<void(const Simulation &)> &look)
   {
+    const auto numbered = [this](Model model) {
+      model.numbers.number_modes_as(ResultNumbers(run.results()));
+      return model;
+    };
     if (const Model *known = cache.find(scene); known != nullptr && !look)
-      return *known;
+      return numbered(*known);
     std::ostream nowhere(nullptr);
     out << "  " << what << ": " << std::flush;
     // `Rotations = auto` is decided for the run itself only.
@@ -61,7 +65,7 @@ namespace lamella
     cache.keep(model);
     if (look)
       look(simulation);
-    return model;
+    return numbered(std::move(model));
   }
 
 

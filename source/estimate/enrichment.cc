@@ -346,6 +346,45 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns the number of modes among which mode @p number of another model
+    /// is found, since modes of close frequencies may have another order.
+    unsigned int
+    number_for_order(const unsigned int number)
+    {
+      return number == 0 ? 0 : number + std::max(2u, number / 2);
+    }
+
+
+
+    /// Returns the request of the modes that are goals of @p run, the lowest
+    /// ones also for a range, and with the stresses if the run has them.
+    FindRequest
+    modes_of_goals(const Simulation &run)
+    {
+      const GoalParameters      &goals = run.model().scene().goals;
+      std::vector<NamedQuantity> all = ResultNumbers(run.results()).of_modes();
+      if (!goals.modes_as_goals)
+        all = goals.quantities;
+      unsigned int n_natural = 0, n_buckling = 0;
+      for (const NamedQuantity &goal : all)
+        {
+          unsigned int &n = goal.column == "factor" ? n_buckling : n_natural;
+          n = std::max(n, number_for_order(goal.number_of_mode()));
+        }
+      FindRequest find;
+      if (n_natural > 0)
+        find.modes = {n_natural,
+                      {},
+                      run.results().last().checks.beyond.is_in_range()};
+      find.n_buckling_modes = n_buckling;
+      return find;
+    }
+  } // namespace
+
+
+
   Scene
   for_estimates(const Simulation &run)
   {
@@ -361,7 +400,7 @@ namespace lamella
     scene.lines.clear();
     scene.cuts.clear();
     scene.strength.criteria.clear();
-    scene.find      = {};
+    scene.find      = modes_of_goals(run);
     scene.write_vtu = false;
     return scene;
   }

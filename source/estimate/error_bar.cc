@@ -104,7 +104,7 @@ namespace lamella
   RunGoals::unavailable_reason(const Simulation &run)
   {
     const GoalParameters &goals = run.model().scene().goals;
-    if (goals.quantities.empty() && goals.probes_as_goals.empty())
+    if (!goals.any())
       return "the scene has neither Quantities in Goals nor probes";
     if (goals.bars == ErrorBars::never)
       return "Error bars = false, in Goals";
@@ -126,6 +126,9 @@ namespace lamella
     all                         = goals.quantities;
     for (const std::string &probe : goals.probes_as_goals)
       for (const NamedQuantity &quantity : values.largest_at(probe))
+        all.push_back(quantity);
+    if (goals.modes_as_goals)
+      for (const NamedQuantity &quantity : values.of_modes())
         all.push_back(quantity);
   }
 

@@ -35,7 +35,27 @@ namespace lamella
   char
   NamedQuantity::kind() const
   {
+    if (of == ObjectKind::mode)
+      return column == "factor" ? 'l' : 'h';
     return of == ObjectKind::measure ? terms[0].kind() : kind_of_column(column);
+  }
+
+
+
+  unsigned int
+  NamedQuantity::number_of_mode() const
+  {
+    return of == ObjectKind::mode ?
+             std::stoul(name.substr(name.find('-') + 1)) :
+             0;
+  }
+
+
+
+  std::string
+  column_of_mode(const std::string &name)
+  {
+    return name[0] == 'b' ? "factor" : "frequency";
   }
 
 
@@ -58,6 +78,8 @@ namespace lamella
         case 'd':
         case 'm':
           return trimmed(units.force + " " + units.length);
+        case 'h':
+          return "Hz";
         default:
           return "";
       }
@@ -158,6 +180,8 @@ namespace lamella
       for (const auto *resultants : {&names.supports, &names.contacts})
         for (const auto &resultant : *resultants)
           all.push_back(resultant.first);
+      for (const auto &mode : names.modes)
+        all.push_back(mode.first);
       return all;
     }
 
@@ -245,6 +269,27 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns the value of the mode @p name.
+    NamedQuantity
+    find_mode(const Entry                  &text,
+              const std::string            &name,
+              const std::string            &column,
+              const std::vector<Reference> &references)
+    {
+      if (column != column_of_mode(name))
+        text.refuse("recover.unknown-column: the only result of " + name +
+                    " is its " + column_of_mode(name));
+      NamedQuantity quantity{
+        NamedQuantity::ObjectKind::mode, name, 0, column, {}, text.path()};
+      quantity.given = first_of(references, column);
+      return quantity;
+    }
+  } // namespace
+
+
+
   NamedQuantity
   parse_probe_quantity(const Entry &text, const std::vector<Probe> &probes)
   {
@@ -296,11 +341,14 @@ namespace lamella
           quantity.path          = text.path();
           return quantity;
         }
+    for (const auto &[name, references] : names.modes)
+      if (name == parts[0])
+        return find_mode(text, name, parts[1], references);
     NamedQuantity resultant = find_resultant(text, parts[0], parts[1], names);
     if (resultant.of == NamedQuantity::ObjectKind::undefined)
       text.refuse(
-        "recover.unknown-name: no probe, measure, support or contact is called "
-        "'" +
+        "recover.unknown-name: no probe, measure, support, contact or mode of "
+        "Find is called '" +
           parts[0] + "'",
         "Check the spelling: the most similar name is '" +
           nearest_name(parts[0], all_names(names)) + "'.");
@@ -384,6 +432,8 @@ namespace lamella
       add(NamedQuantity::ObjectKind::support, name, references);
     for (const auto &[name, references] : names.contacts)
       add(NamedQuantity::ObjectKind::contact, name, references);
+    for (const auto &[name, references] : names.modes)
+      add(NamedQuantity::ObjectKind::mode, name, references);
     return quantities;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/entry.h>
 #include <lamella/body/fields.h>
 #include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>
@@ -53,6 +54,52 @@ namespace lamella
 
 
 
+  namespace
+  {
+    std::vector<Mode>
+    without_shapes(std::vector<Mode> modes)
+    {
+      for (Mode &mode : modes)
+        mode.shape.reinit(0);
+      return modes;
+    }
+
+
+
+    /// Gives each of @p modes the number of the most similar one of @p given,
+    /// if they are more similar than to others; the rest keep their order.
+    void
+    number_as(const std::vector<Mode> &given, std::vector<Mode> &modes)
+    {
+      constexpr double  similar = 0.5;
+      std::vector<Mode> left    = std::move(modes);
+      modes.clear();
+      std::vector<unsigned int> open;
+      for (const Mode &mode : given)
+        {
+          const auto best = std::max_element(
+            left.begin(), left.end(), [&](const Mode &one, const Mode &other) {
+              return mode.similarity(one) < mode.similarity(other);
+            });
+          if (best == left.end() || mode.similarity(*best) <= similar)
+            {
+              open.push_back(mode.number);
+              continue;
+            }
+          modes.push_back(std::move(*best));
+          modes.back().number = mode.number;
+          left.erase(best);
+        }
+      for (unsigned int k = 0; k < open.size() && k < left.size(); ++k)
+        {
+          modes.push_back(std::move(left[k]));
+          modes.back().number = open[k];
+        }
+    }
+  } // namespace
+
+
+
   ResultNumbers::ResultNumbers(const Results &results)
   {
     const auto six = [](const Tensor<1, 3> &force, const Tensor<1, 3> &moment) {
@@ -76,6 +123,9 @@ namespace lamella
         tractions.emplace(
           name, traction_of(results.contacts[k], step.contacts[k], left));
       }
+    if (results.natural_modes)
+      natural_modes = without_shapes(results.natural_modes->modes);
+    buckling_modes = without_shapes(results.buckling_modes);
     for (unsigned int k = 0; k < results.probes.size(); ++k)
       for (const FieldRow &row : step.probes[k])
         {
@@ -134,6 +184,18 @@ namespace lamella
     if (quantity.of == NamedQuantity::ObjectKind::measure)
       return (value(quantity.terms[0]) - value(quantity.terms[1])) /
              quantity.over;
+    if (quantity.of == NamedQuantity::ObjectKind::mode)
+      {
+        const bool  is_buckling = quantity.column == "factor";
+        const auto &modes       = is_buckling ? buckling_modes : natural_modes;
+        for (const Mode &mode : modes)
+          if (mode.number == quantity.number_of_mode())
+            return mode.value;
+        Entry(quantity.path, quantity.label())
+          .refuse("recover.mode-not-found: this mode is not among the " +
+                    std::to_string(modes.size()) + " modes that were found",
+                  "Request more Modes, or another range.");
+      }
     if (quantity.of != NamedQuantity::ObjectKind::probe)
       return value_of_resultant(quantity);
     std::vector<std::string> plies;
@@ -196,6 +258,37 @@ namespace lamella
 
 
 
+  void
+  ResultNumbers::number_modes_as(const ResultNumbers &run)
+  {
+    number_as(run.natural_modes, natural_modes);
+    number_as(run.buckling_modes, buckling_modes);
+  }
+
+
+
+  std::vector<NamedQuantity>
+  ResultNumbers::of_modes() const
+  {
+    std::vector<NamedQuantity> quantities;
+    for (const auto *modes : {&natural_modes, &buckling_modes})
+      for (const Mode &mode : *modes)
+        {
+          const std::string name =
+            (modes == &natural_modes ? "mode-" : "buckling-") +
+            std::to_string(mode.number);
+          quantities.push_back({NamedQuantity::ObjectKind::mode,
+                                name,
+                                0,
+                                column_of_mode(name),
+                                {},
+                                "Modes"});
+        }
+    return quantities;
+  }
+
+
+
   double
   ResultNumbers::largest_of_kind(const NamedQuantity &quantity) const
   {
@@ -205,6 +298,8 @@ namespace lamella
              std::abs(quantity.over);
     const char kind    = quantity.kind();
     double     largest = 0.;
+    if (quantity.of == NamedQuantity::ObjectKind::mode)
+      return std::abs(value(quantity));
     if (quantity.of == NamedQuantity::ObjectKind::probe)
       {
         for (const ProbeRow &row : probes)

@@ -424,6 +424,14 @@ namespace lamella
       add_resultant("contact " + results.contacts[k].name,
                     step.checks.contacts[k].force,
                     references.contacts[k]);
+    const ResultNumbers numbers(results);
+    for (const NamedQuantity &mode : numbers.of_modes())
+      for (const Reference &reference : references.modes)
+        if (reference.quantity == mode.name)
+          add_row(table,
+                  mode.name,
+                  numbers.value(mode),
+                  {mode.column, reference.value, reference.source});
     if (table.size() == 1)
       return;
     out << "\nResults beside their references:\n";

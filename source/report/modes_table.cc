@@ -3,6 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
 #include <lamella/report/console.h>
+#include <lamella/report/goals_table.h>
 #include <lamella/report/summary.h>
 #include <lamella/report/tables.h>
 
@@ -18,18 +19,43 @@ namespace lamella
 
   namespace
   {
-    std::string
-    line_of(const char *const  analysis,
-            const unsigned int number,
-            const Mode        &mode,
-            const Results     &results)
+    /// Returns the goal that is the value of @p mode and has a bar, or null.
+    const GoalResult *
+    goal_of(const char *const kind, const Mode &mode, const Results &results)
     {
-      CsvLine line;
-      line << analysis << number << mode.value << mode.kind()
+      const std::string name = kind + std::to_string(mode.number) + ": ";
+      for (const GoalResult &goal : results.goals)
+        if (goal.trusted && goal.name.rfind(name, 0) == 0)
+          return &goal;
+      return nullptr;
+    }
+
+
+
+    /// Returns the bar of @p mode for the table; empty if there is none.
+    std::string
+    bar_text(const char *const kind, const Mode &mode, const Results &results)
+    {
+      const GoalResult *const goal = goal_of(kind, mode, results);
+      return goal == nullptr ? "" : "+- " + share_text(*goal, goal->bar);
+    }
+
+
+
+    std::string
+    line_of(const char *const analysis,
+            const char *const kind,
+            const Mode       &mode,
+            const Results    &results)
+    {
+      CsvLine           line;
+      const GoalResult *goal = goal_of(kind, mode, results);
+      line << analysis << mode.number << mode.value
+           << (goal == nullptr ? "" : csv(goal->bar)) << mode.kind()
            << results.bodies[mode.body].name;
       for (const double factor : mode.participation)
         line << factor;
-      for (const double share : mode.motion)
+      for (const double share : mode.motion.shares)
         line << share;
       return line.text();
     }
@@ -42,7 +68,7 @@ namespace lamella
     {
       constexpr double nearly_all = 0.99;
       const double     largest =
-        *std::max_element(mode.motion.begin(), mode.motion.end());
+        *std::max_element(mode.motion.shares.begin(), mode.motion.shares.end());
       return mode.kind() + (largest < nearly_all ?
                               " " + to_text(100. * largest, 2) + " %" :
                               "");
@@ -53,11 +79,12 @@ namespace lamella
     Json
     mode_json(const Mode &mode, const Results &results, const char *const value)
     {
-      Json json{{value, mode.value},
+      Json json{{"number", mode.number},
+                {value, mode.value},
                 {"kind", mode.kind()},
                 {"body", results.bodies[mode.body].name}};
-      for (unsigned int k = 0; k < mode.motion.size(); ++k)
-        json["motion"][motion_names[k]] = mode.motion[k];
+      for (unsigned int k = 0; k < mode.motion.shares.size(); ++k)
+        json["motion"][motion_names[k]] = mode.motion.shares[k];
       return json;
     }
 
@@ -99,13 +126,20 @@ namespace lamella
         out << found.n_rigid
             << (found.n_rigid == 1 ? " rigid motion" : " rigid motions")
             << " at 0 Hz\n";
-      TextTable table{
-        {"mode", "Hz", "kind", "body", "mass x %", "mass y %", "mass z %"}};
+      TextTable             table{{"mode",
+                                   "Hz",
+                                   "bar",
+                                   "kind",
+                                   "body",
+                                   "mass x %",
+                                   "mass y %",
+                                   "mass z %"}};
       std::array<double, 3> sums{};
       for (const Mode &mode : found.modes)
         {
-          table.push_back({std::to_string(table.size()),
+          table.push_back({std::to_string(mode.number),
                            to_text(mode.value, 6),
+                           bar_text("mode-", mode, results),
                            describe_motion(mode),
                            results.bodies[mode.body].name});
           for (unsigned int d = 0; d < 3; ++d)
@@ -115,7 +149,7 @@ namespace lamella
               sums[d] += p * p;
             }
         }
-      table.push_back({"sum", "", "", ""});
+      table.push_back({"sum", "", "", "", ""});
       for (const double sum : sums)
         table.back().push_back(effective_mass(sum, found.inertia));
       print_table(out, table);
@@ -131,6 +165,7 @@ namespace lamella
     for (const char *const name : {"analysis",
                                    "number",
                                    "value",
+                                   "bar",
                                    "kind",
                                    "body",
                                    "px",
@@ -142,14 +177,12 @@ namespace lamella
       header << name;
     for (const char *const name : motion_names)
       header << name;
-    std::string  text   = header.text();
-    unsigned int number = 0;
+    std::string text = header.text();
     if (results.natural_modes)
       for (const Mode &mode : results.natural_modes->modes)
-        text += line_of("modes", ++number, mode, results);
-    number = 0;
+        text += line_of("modes", "mode-", mode, results);
     for (const Mode &mode : results.buckling_modes)
-      text += line_of("buckling", ++number, mode, results);
+      text += line_of("buckling", "buckling-", mode, results);
     return text;
   }
 
@@ -163,10 +196,11 @@ namespace lamella
     if (results.buckling_modes.empty())
       return;
     out << "\nBuckling modes, factors of the loads of the last load step:\n";
-    TextTable table{{"mode", "factor", "kind", "body"}};
+    TextTable table{{"mode", "factor", "bar", "kind", "body"}};
     for (const Mode &mode : results.buckling_modes)
-      table.push_back({std::to_string(table.size()),
+      table.push_back({std::to_string(mode.number),
                        to_text(mode.value, 6),
+                       bar_text("buckling-", mode, results),
                        describe_motion(mode),
                        results.bodies[mode.body].name});
     print_table(out, table);

@@ -176,10 +176,13 @@ namespace lamella
       {
         BlockVector shape = modes[k].shape;
         shape *= of_size * of.structure.size() / modes[k].shape.linfty_norm();
-        files.emplace_back(
-          k + 1,
-          write_vtu(
-            place.path(), name, k + 1, modes[k].value, of.structure, shape));
+        files.emplace_back(modes[k].number,
+                           write_vtu(place.path(),
+                                     name,
+                                     modes[k].number,
+                                     modes[k].value,
+                                     of.structure,
+                                     shape));
       }
     if (is_root_process())
       write_pvd(place.path(), name, files);

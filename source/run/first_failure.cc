@@ -3,6 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/solve/small_motions.h>
@@ -168,9 +169,8 @@ namespace lamella
                        Results                  &results)
     {
       // Stresses of linear kinematics are no approximation beyond its range.
-      const NonlinearityEstimate &beyond = results.last().checks.beyond;
-      const bool                  is_in_range =
-        beyond.stiffening <= 1. && beyond.buckling_factor.value_or(1.) >= 1.;
+      const bool is_in_range =
+        request.has_stresses && results.last().checks.beyond.is_in_range();
       results.natural_modes =
         natural_modes(system, state, is_in_range ? stresses : nullptr, request);
       if (!request.range &&
@@ -259,5 +259,9 @@ namespace lamella
     if (request.n_buckling_modes > 0)
       find_buckling_modes(
         request.n_buckling_modes, *system, state, stresses.get(), results);
+    const ResultNumbers numbers(results);
+    for (const NamedQuantity &goal : built.scene().goals.quantities)
+      if (goal.of == NamedQuantity::ObjectKind::mode)
+        results.quantities[goal.label()] = numbers.value(goal);
   }
 } // namespace lamella

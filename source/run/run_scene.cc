@@ -58,6 +58,7 @@ namespace lamella
         lists.contacts.push_back(scene.contact_references.at(contact.name));
       for (const Measure &measure : scene.measures)
         lists.measures.push_back(measure.references);
+      lists.modes = scene.find.references;
       return lists;
     }
 

@@ -136,7 +136,8 @@ namespace lamella
       results.steps.back().measures.push_back(numbers.value(measure.quantity));
     results.quantities.clear();
     for (const NamedQuantity &goal : scene.goals.quantities)
-      results.quantities[goal.label()] = numbers.value(goal);
+      if (goal.of != NamedQuantity::ObjectKind::mode)
+        results.quantities[goal.label()] = numbers.value(goal);
   }
 
 
@@ -195,9 +196,11 @@ namespace lamella
     double change = 0.;
     for (const NamedQuantity &goal : scene.goals.quantities)
       {
-        // Without slip no energy is dissipated, as change_of() has it.
-        const double size =
-          goal.column == "dissipated" ? 0. : first.scale_of(goal);
+        // Without slip no energy is dissipated, as change_of() has it; modes
+        // are found after the steps.
+        const bool has_none = goal.column == "dissipated" ||
+                              goal.of == NamedQuantity::ObjectKind::mode;
+        const double size = has_none ? 0. : first.scale_of(goal);
         if (size > 0.)
           change =
             std::max(change,

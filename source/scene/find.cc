@@ -8,14 +8,18 @@ namespace lamella
 {
   namespace
   {
+    /// Largest number of modes: a limit for typing errors.
+    constexpr unsigned int most = 1000;
+
+
+
     /// Returns the modes that @p entry, a number or FROM to TO, requests.
     ModeRequest
     parse_modes(const Entry &entry)
     {
-      constexpr unsigned int most = 1000;
-      ModeRequest            request;
-      const std::string     &text = entry.text();
-      const std::size_t      to   = text.find(" to ");
+      ModeRequest        request;
+      const std::string &text = entry.text();
+      const std::size_t  to   = text.find(" to ");
       if (to == std::string::npos)
         {
           request.number = entry.whole(1, most);
@@ -54,6 +58,12 @@ namespace lamella
       Anything(),
       "Number of modes for Find = modes or buckling, without rigid motions; or "
       "a range of natural frequencies [Hz], as in 0 to 500.");
+    prm.declare_entry(
+      "Mode references",
+      "",
+      Anything(),
+      "Reference values to print, mode: value: source, with '|' between; a "
+      "frequency [Hz] of mode-1, mode-2, ..., a factor of buckling-1, ...");
   }
 
 
@@ -84,6 +94,32 @@ namespace lamella
                      "Write Strength/Criteria, and Strengths of materials.");
       else
         find.first_failure = true;
+    std::vector<std::string> names;
+    for (const auto &mode : find.names_of_modes())
+      names.push_back(mode.first);
+    find.references = parse_references(in["Mode references"], names);
     return find;
+  }
+
+
+
+  std::vector<std::pair<std::string, std::vector<Reference>>>
+  FindRequest::names_of_modes() const
+  {
+    std::vector<std::pair<std::string, std::vector<Reference>>> named;
+    const auto add = [&](const std::string &kind, const unsigned int n) {
+      for (unsigned int k = 1; k <= n; ++k)
+        {
+          named.push_back({kind + std::to_string(k), {}});
+          for (const Reference &one : references)
+            if (one.quantity == named.back().first)
+              named.back().second.push_back(
+                {column_of_mode(one.quantity), one.value, one.source});
+        }
+    };
+    if (modes)
+      add("mode-", modes->range ? most : modes->number);
+    add("buckling-", n_buckling_modes);
+    return named;
   }
 } // namespace lamella

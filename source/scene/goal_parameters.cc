@@ -103,9 +103,9 @@ namespace lamella
         return {share_of_one(entry, number), false};
       if (!(number > 0.))
         entry.refuse("entry.not-positive: the tolerance must be more than 0");
-      if (!goals.probes_as_goals.empty())
+      if (!goals.probes_as_goals.empty() || goals.modes_as_goals)
         entry.refuse("scene.mixed-units: the displacements and stresses of "
-                     "probes cannot have one tolerance with a unit",
+                     "probes, and modes, cannot have one tolerance with a unit",
                      "Write Quantities, or a tolerance in per cent.");
       check_unit(entry, unit, quantities, units);
       return {number, true};
@@ -181,7 +181,7 @@ namespace lamella
           "scene.tolerance-without-bars: a run with a Tolerance needs error "
           "estimates, but Error bars = false",
           "Write Error bars = auto, or remove Tolerance.");
-      if (goals.quantities.empty() && goals.probes_as_goals.empty())
+      if (!goals.any())
         in["Tolerance"].refuse(
           "scene.no-goals: the Tolerance applies to no quantity: the scene "
           "has no probe, and no support or contact has values in References",
@@ -201,9 +201,10 @@ namespace lamella
       "Quantities of interest, with '|' between: PROBE: COLUMN (of probes.csv; "
       "PROBE/PLY on an interface), SUPPORT: fx (fy, fz, mx, my, mz), CONTACT: "
       "fx (and so on, pressure, width, width x, dissipated), or of a strip of "
-      "a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60. "
-      "Empty: those of Trade, else all with References, and for probes without "
-      "References the largest displacement and stress.");
+      "a contact CONTACT: fx in AXIS FROM TO, as in roller: fz in y 40 60; of "
+      "Find, mode-3: frequency and buckling-1: factor. Empty: those of Trade, "
+      "else all with References, for probes without References the largest "
+      "displacement and stress, and all modes if none has Mode references.");
     prm.declare_entry(
       "Tolerance",
       "",
@@ -240,8 +241,17 @@ namespace lamella
     if (goals.quantities.empty())
       goals.quantities = of_trade;
     if (goals.quantities.empty())
-      goals.quantities =
-        quantities_with_references(names, goals.probes_as_goals);
+      {
+        goals.quantities =
+          quantities_with_references(names, goals.probes_as_goals);
+        goals.modes_as_goals =
+          !names.modes.empty() &&
+          std::none_of(goals.quantities.begin(),
+                       goals.quantities.end(),
+                       [](const NamedQuantity &quantity) {
+                         return quantity.of == NamedQuantity::ObjectKind::mode;
+                       });
+      }
     goals.tolerances = parse_tolerances(in["Tolerance"], n_named, goals, units);
 
     goals.bars           = in["Error bars"].choice<ErrorBars>();

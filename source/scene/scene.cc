@@ -186,10 +186,13 @@ namespace lamella
       scene.strength =
         StrengthParameters::parse(Entries(prm, "Strength"), bodies);
       prm.leave_subsection();
+      scene.find =
+        FindRequest::parse(Entries(prm, ""), !scene.strength.criteria.empty());
       const QuantityNames names{scene.probes,
                                 scene.support_references,
                                 scene.contact_references,
-                                scene.measures};
+                                scene.measures,
+                                scene.find.names_of_modes()};
       check_names_of_measures(names);
       prm.enter_subsection("Goals");
       const std::vector<NamedQuantity> of_goals =
@@ -266,7 +269,6 @@ namespace lamella
       for (const SubsectionKind &kind : subsection_kinds())
         resolve_kind(kind, text, reading);
       resolve_requests(prm, names.at("Bodies"), scene);
-      scene.find = FindRequest::parse(in, !scene.strength.criteria.empty());
       for (BodyDescription &body : scene.bodies)
         if (body.has_inertia = scene.find.modes.has_value();
             body.has_inertia && body.is_held)

@@ -87,10 +87,10 @@ namespace lamella
         std::max_element(energies.begin(), energies.end()) - energies.begin();
       const Body &body = *structure.bodies()[mode.body];
       mode.motion =
-        motion_shares(body,
-                      is_buckling ? std::vector<double>() : densities(body),
-                      u.block(mode.body),
-                      mode.shape.block(mode.body));
+        motion_of(body,
+                  is_buckling ? std::vector<double>() : densities(body),
+                  u.block(mode.body),
+                  mode.shape.block(mode.body));
     }
 
 
@@ -144,13 +144,16 @@ namespace lamella
 
 
 
-    /// Returns the pairs of @p problem that @p request wants.
+    /// Returns the pairs of @p problem that @p request wants, and the number
+    /// @p n_below of those with lower frequencies.
     Eigenpairs
     requested_pairs(const Eigenproblem &problem,
                     const BlockVector  &like,
                     const ModeRequest  &request,
-                    const unsigned int  n_free)
+                    const unsigned int  n_free,
+                    unsigned int       &n_below)
     {
+      n_below = 0;
       if (!request.range)
         return all_eigenpairs(problem, like, request.number, n_free);
       const auto [lower, upper] = *request.range;
@@ -172,6 +175,7 @@ namespace lamella
           };
           if (away(f) < away(nearest))
             nearest = f;
+          n_below += f < lower;
           if (away(f) > 0.)
             continue;
           inside.values.push_back(all.values[k]);
@@ -244,11 +248,31 @@ namespace lamella
 
 
 
+  double
+  Mode::similarity(const Mode &other) const
+  {
+    if (body != other.body ||
+        motion.momenta.size() != other.motion.momenta.size())
+      return 0.;
+    double ab = 0., aa = 0., bb = 0.;
+    for (unsigned int k = 0; k < motion.momenta.size(); ++k)
+      {
+        const double a = motion.momenta[k], b = other.motion.momenta[k];
+        ab += a * b;
+        aa += a * a;
+        bb += b * b;
+      }
+    return aa * bb > 0. ? ab * ab / (aa * bb) : 0.;
+  }
+
+
+
   std::string
   Mode::kind() const
   {
-    return motion_names[std::max_element(motion.begin(), motion.end()) -
-                        motion.begin()];
+    const MotionShares &shares = motion.shares;
+    return motion_names[std::max_element(shares.begin(), shares.end()) -
+                        shares.begin()];
   }
 
 
@@ -274,19 +298,19 @@ namespace lamella
     found.n_rigid           = motions.rigid_motions().size();
     Eigenproblem problem    = eigenproblem(times_mass, motions);
     problem.in_product_of_A = true;
-    Eigenpairs pairs        = requested_pairs(problem,
-                                       structure.zero(),
-                                       request,
-                                       motions.n_free_dofs());
+    unsigned int n_below    = 0;
+    Eigenpairs   pairs      = requested_pairs(
+      problem, structure.zero(), request, motions.n_free_dofs(), n_below);
     check_rigid_motions(motions, prestress, pairs);
     const auto whole =
       rigid_motions_about(structure, state.u, found.inertia.center());
     for (unsigned int k = 0; k < pairs.values.size(); ++k)
       {
-        Mode mode = natural_mode(pairs.values[k],
+        Mode mode   = natural_mode(pairs.values[k],
                                  std::move(pairs.vectors[k]),
                                  mass,
                                  whole);
+        mode.number = n_below + k + 1;
         describe(structure, state.u, mass.energies(mode.shape), false, mode);
         found.modes.push_back(std::move(mode));
       }
@@ -319,8 +343,9 @@ namespace lamella
       if (pairs.values[k] > 0.)
         {
           Mode mode;
-          mode.value = 1. / pairs.values[k];
-          mode.shape = std::move(pairs.vectors[k]);
+          mode.number = modes.size() + 1;
+          mode.value  = 1. / pairs.values[k];
+          mode.shape  = std::move(pairs.vectors[k]);
           mode.shape /= mode.shape.linfty_norm();
           const BlockVector   f = motions.times_stiffness(mode.shape);
           std::vector<double> energies;

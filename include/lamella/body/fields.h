@@ -178,15 +178,26 @@ namespace lamella
   /// Shares of each Motion in the kinetic energy of a mode; their sum is 1.
   using MotionShares = std::array<double, motion_names.size()>;
 
-  /// Returns the shares of the motions in the kinetic energy int rho |v|^2 / 2
-  /// dV of the velocity @p v (DoFs) of @p body at the DoFs @p u, with a density
-  /// @p rho of each ply (equal if empty). In each cross-section, v is projected
-  /// onto the rigid motions. Two Gauss points per element and coordinate.
-  MotionShares
-  motion_shares(const Body                &body,
-                const std::vector<double> &rho,
-                const Vector              &u,
-                const Vector              &v);
+  /// Motion of a body in a mode.
+  struct BodyMotion
+  {
+    MotionShares shares{}; ///< Shares of the kinds of motion.
+    /// Momenta and angular momenta of cross-sections, times Legendre
+    /// polynomials along the body, for comparisons with other meshes: 6 numbers
+    /// for each polynomial; angular momenta divided by the radius of gyration.
+    std::vector<double> momenta;
+  };
+
+  /// Returns the motion of @p body with the velocity @p v (DoFs) at the DoFs @p
+  /// u, and a density @p rho of each ply (equal if empty). Shares are those of
+  /// the kinetic energy int rho |v|^2 / 2 dV. In each cross-section, v is
+  /// projected onto the rigid motions. Four Gauss points along each element,
+  /// two across.
+  BodyMotion
+  motion_of(const Body                &body,
+            const std::vector<double> &rho,
+            const Vector              &u,
+            const Vector              &v);
 } // namespace lamella
 
 #endif

@@ -17,8 +17,8 @@ namespace lamella
 {
   /// A scalar result of the last load step, requested by name: a column of
   /// probes.csv at a probe, a difference of two columns (a measure), the
-  /// resultant of a support or contact, or the mean pressure, width or
-  /// dissipation of a contact or of a strip of a contact.
+  /// resultant of a support or contact, the mean pressure, width or dissipation
+  /// of a contact or of a strip of a contact, or the value of a mode.
   struct NamedQuantity
   {
     /// Kind of object whose result is requested.
@@ -28,7 +28,8 @@ namespace lamella
       probe,
       support, ///< the reaction on the bodies
       contact, ///< the resultant on the second side
-      measure  ///< a difference of two quantities of probes
+      measure, ///< a difference of two quantities of probes
+      mode     ///< `mode-3: frequency` [Hz] or `buckling-1: factor`
     };
     ObjectKind  of = ObjectKind::undefined; ///< Kind of the object.
     std::string name; ///< Name of the object in the scene.
@@ -57,9 +58,14 @@ namespace lamella
 
     /// Returns a letter for the kind of quantity: u displacement, e strain, s
     /// stress, j stress jump, f force, m moment, p pressure, w width, d
-    /// dissipation. A measure has the kind of its terms.
+    /// dissipation, h frequency, l load factor. A measure has the kind of its
+    /// terms.
     char
     kind() const;
+
+    /// Returns the number of a mode, from 1; 0 for other quantities.
+    unsigned int
+    number_of_mode() const;
 
     /// Returns the label of the unit in @p units: `mm`, `MPa`, `N`, `N mm`;
     /// empty for strains, jumps, divided measures, and scenes without units.
@@ -102,7 +108,14 @@ namespace lamella
     /// Reference values of each contact, by its name.
     std::map<std::string, std::vector<Reference>> contacts;
     std::vector<Measure> measures = {}; ///< Measures of the scene.
+    /// Reference values of the modes of `Find`, by the name, as `mode-1`.
+    std::vector<std::pair<std::string, std::vector<Reference>>> modes = {};
   };
+
+  /// Returns the column of modes called @p name: `factor` of `buckling-1`,
+  /// `frequency` of `mode-1`.
+  std::string
+  column_of_mode(const std::string &name);
 
   /// Returns the quantity in @p text, NAME: COLUMN, or for a contact NAME:
   /// COLUMN in AXIS FROM TO. Throws InputError for other forms, unless FROM <
@@ -176,6 +189,23 @@ namespace lamella
     std::vector<NamedQuantity>
     largest_at(const std::string &name) const;
 
+    /// Returns false if @p quantity is a mode that was not found.
+    bool
+    has(const NamedQuantity &quantity) const
+    {
+      return quantity.of != NamedQuantity::ObjectKind::mode ||
+             find_mode(quantity) != nullptr;
+    }
+
+    /// Numbers the modes as similar modes of @p run (Mode::similarity()), and
+    /// drops others.
+    void
+    number_modes_as(const ResultNumbers &run);
+
+    /// Returns the values of all modes.
+    std::vector<NamedQuantity>
+    of_modes() const;
+
     /// Returns the largest magnitude of all results of the same kind as @p
     /// quantity (kind()): at all probes, supports and contacts that have such
     /// results. For a measure, it is divided by the divisor of the measure.
@@ -215,6 +245,10 @@ namespace lamella
     std::vector<const ProbeRow *>
     rows_of(const std::string &probe) const;
 
+    /// Returns the mode @p quantity, or null.
+    const Mode *
+    find_mode(const NamedQuantity &quantity) const;
+
     /// Returns the value of @p quantity, a result of a support or a contact.
     double
     value_of_resultant(const NamedQuantity &quantity) const;
@@ -223,7 +257,9 @@ namespace lamella
     std::map<std::string, std::vector<double>> supports, contacts;
     /// Traction of each contact, by its name.
     std::map<std::string, ContactTraction> tractions;
-    std::vector<ProbeRow>                  probes;
+    /// Natural and buckling modes, without their DoFs.
+    std::vector<Mode>     natural_modes, buckling_modes;
+    std::vector<ProbeRow> probes;
   };
 } // namespace lamella
 

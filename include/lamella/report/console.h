@@ -24,6 +24,7 @@ namespace lamella
     std::vector<std::vector<Reference>> supports; ///< Values for each support.
     std::vector<std::vector<Reference>> contacts; ///< Values for each contact.
     std::vector<std::vector<Reference>> measures; ///< Values for each measure.
+    std::vector<Reference>              modes;    ///< Values of modes, by name.
   };
 
   /// Compares results of the last load step with reference values. Prints a row

@@ -4,6 +4,7 @@
 #define lamella_scene_find_h
 
 #include <lamella/base/entry.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/solve/modes.h>
 
 #include <optional>
@@ -19,6 +20,8 @@ namespace lamella
     std::optional<ModeRequest> modes = {};
     /// Number of buckling modes to compute.
     unsigned int n_buckling_modes = 0;
+    /// Reference values of modes by their names, `mode-1` and so on.
+    std::vector<Reference> references = {};
 
     /// Declares the entries in @p prm.
     static void
@@ -28,6 +31,11 @@ namespace lamella
     /// the scene has failure criteria. Throws InputError for other texts.
     static FindRequest
     parse(const Entries &in, const bool has_criteria);
+
+    /// Returns the names of all modes, with their reference values. Modes of a
+    /// range have all numbers that Modes may have.
+    std::vector<std::pair<std::string, std::vector<Reference>>>
+    names_of_modes() const;
   };
 } // namespace lamella
 

@@ -48,6 +48,8 @@ namespace lamella
     /// Names of probes. If `quantities` is empty, the goals are the largest
     /// displacement and the largest stress among these probes.
     std::vector<std::string> probes_as_goals;
+    /// True if all modes of `Find` are goals too.
+    bool modes_as_goals = false;
     /// Tolerance of the error of each goal, or one for all; empty if not set.
     std::vector<Tolerance> tolerances;
     ErrorBars              bars = ErrorBars::undefined; ///< Entry `Error bars`.
@@ -59,6 +61,13 @@ namespace lamella
     /// Names of the bodies whose number of axis elements is not in the scene,
     /// but is chosen in a run with a tolerance.
     std::set<std::string> axes_are_default;
+
+    /// Returns true if there are any goals.
+    bool
+    any() const
+    {
+      return !quantities.empty() || !probes_as_goals.empty() || modes_as_goals;
+    }
 
     /// Declares the entries in @p prm, which must be in `subsection Goals`.
     static void

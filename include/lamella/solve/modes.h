@@ -19,17 +19,25 @@ namespace lamella
   /// A mode of vibration or buckling.
   struct Mode
   {
+    /// Number from 1, by ascending value, without rigid motions.
+    unsigned int number = 0;
     /// Natural frequency [Hz], or buckling factor of the loads.
     double value = 0.;
     /// Mode shape, all DoFs. The modal mass v . M v of a mode of vibration is
     /// 1; of a buckling mode, the largest DoF is 1.
     BlockVector  shape;
     unsigned int body = 0; ///< Body with the largest part of the energy.
-    MotionShares motion{}; ///< Shares of the motions of this body.
+    BodyMotion   motion;   ///< Motion of this body.
     /// Participation factors v . M r of rigid motions r of all bodies along
     /// the scene axes and about axes through the center of mass; their squares
     /// are effective masses and moments of inertia.
     std::array<double, 6> participation{};
+
+    /// Returns the modal assurance criterion (a . b)^2 / (a . a) (b . b) of the
+    /// momenta a, b of two modes, perhaps of different meshes and theories; 0
+    /// if different bodies move most. (Allemang and Brown, IMAC 1982.)
+    double
+    similarity(const Mode &other) const;
 
     /// Returns the name of the motion with the largest share.
     std::string
@@ -50,6 +58,8 @@ namespace lamella
     unsigned int number = 10; ///< Number of elastic modes.
     /// Range of frequencies [Hz] in place of a number.
     std::optional<std::pair<double, double>> range = {};
+    /// True if modes include the stresses of the state, in its linear range.
+    bool has_stresses = true;
   };
 
   /// Returns the modes v with (K + K_G) v = (2 pi f)^2 M v about @p state,

@@ -40,6 +40,13 @@ namespace lamella
     /// buckling factor: the first-order growth -u.K_G u / u.K u (see
     /// `buckling_factor`), from 0 to 1 / (largest lambda considered).
     double amplification = 0.;
+
+    /// Returns false beyond the range of linear kinematics.
+    bool
+    is_in_range() const
+    {
+      return stiffening <= 1. && buckling_factor.value_or(1.) >= 1.;
+    }
   };
 
   /// Returns the estimates for @p state, whose bodies have the strain energies
