@@ -44,6 +44,17 @@ namespace lamella
 
 
 
+    bool
+    lacks(const NamedQuantity              &quantity,
+          const std::vector<ResultNumbers> &models)
+    {
+      return std::any_of(models.begin(), models.end(), [&](const auto &model) {
+        return !model.has(quantity);
+      });
+    }
+
+
+
     /// Returns the goals of @p run with bars by @p recipe, or the reason why
     /// its models fail: this must not discard the results of the run.
     GoalBars
@@ -288,8 +299,14 @@ namespace lamella
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
       {
         const NamedQuantity &quantity = of_run.quantities()[k];
-        const ComparedValues values   = values_of(k);
-        const ErrorBar       bar      = recipe.bar(values);
+        if (lacks(quantity, results) || lacks(quantity, at_supports))
+          {
+            goals.push_back(of_run.without_error_bar(k));
+            goals.back().why = no_similar_mode;
+            continue;
+          }
+        const ComparedValues values = values_of(k);
+        const ErrorBar       bar    = recipe.bar(values);
         GoalResult &goal = goals.emplace_back(of_run.with_error_bar(k, bar));
         goal.shares      = bar.shares;
         if (values.surplus)

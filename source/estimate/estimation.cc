@@ -136,11 +136,22 @@ namespace lamella
 
 
 
+  bool
+  Estimation::has_all(const NamedQuantity &quantity) const
+  {
+    return std::all_of(models.begin(), models.end(), [&](const Model &model) {
+      return model.numbers.has(quantity);
+    });
+  }
+
+
+
   double
   Estimation::share_of(const Step &step, const NamedQuantity &quantity) const
   {
-    return models[step.to].numbers.value(quantity) -
-           models[step.from].numbers.value(quantity);
+    return has_all(quantity) ? models[step.to].numbers.value(quantity) -
+                                 models[step.from].numbers.value(quantity) :
+                               0.;
   }
 
 
@@ -286,13 +297,16 @@ namespace lamella
   Estimation::goal(const NamedQuantity &quantity,
                    const unsigned int   number) const
   {
-    GoalResult result =
-      failure.empty() ? of_run->with_error_bar(number, error_bar_of(quantity)) :
-                        of_run->without_error_bar(number);
+    const std::string reason = !failure.empty()   ? failure :
+                               !has_all(quantity) ? no_similar_mode :
+                                                    "";
+    GoalResult        result =
+      reason.empty() ? of_run->with_error_bar(number, error_bar_of(quantity)) :
+                              of_run->without_error_bar(number);
     if (!local.empty())
       result.local = local.at(number);
-    if (!failure.empty())
-      result.why = failure;
+    if (!reason.empty())
+      result.why = reason;
     else
       for (const Step &step : steps)
         result.shares.emplace_back(name_of(step.source),

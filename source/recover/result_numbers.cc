@@ -66,35 +66,29 @@ namespace lamella
 
 
 
-    /// Gives each of @p modes the number of the most similar one of @p given,
-    /// if they are more similar than to others; the rest keep their order.
-    void
-    number_as(const std::vector<Mode> &given, std::vector<Mode> &modes)
+    /// Returns the modes among @p modes that are similar to one of @p given,
+    /// with its number.
+    std::vector<Mode>
+    numbered_as(const std::vector<Mode> &given, std::vector<Mode> modes)
     {
       constexpr double  similar = 0.5;
-      std::vector<Mode> left    = std::move(modes);
-      modes.clear();
-      std::vector<unsigned int> open;
+      std::vector<Mode> numbered;
       for (const Mode &mode : given)
         {
-          const auto best = std::max_element(
-            left.begin(), left.end(), [&](const Mode &one, const Mode &other) {
-              return mode.similarity(one) < mode.similarity(other);
-            });
-          if (best == left.end() || mode.similarity(*best) <= similar)
-            {
-              open.push_back(mode.number);
-              continue;
-            }
-          modes.push_back(std::move(*best));
-          modes.back().number = mode.number;
-          left.erase(best);
+          const auto best =
+            std::max_element(modes.begin(),
+                             modes.end(),
+                             [&](const Mode &one, const Mode &other) {
+                               return mode.similarity(one) <
+                                      mode.similarity(other);
+                             });
+          if (best == modes.end() || mode.similarity(*best) <= similar)
+            continue;
+          numbered.push_back(std::move(*best));
+          numbered.back().number = mode.number;
+          modes.erase(best);
         }
-      for (unsigned int k = 0; k < open.size() && k < left.size(); ++k)
-        {
-          modes.push_back(std::move(left[k]));
-          modes.back().number = open[k];
-        }
+      return numbered;
     }
   } // namespace
 
@@ -178,6 +172,18 @@ namespace lamella
 
 
 
+  const Mode *
+  ResultNumbers::find_mode(const NamedQuantity &quantity) const
+  {
+    for (const Mode &mode :
+         quantity.column == "factor" ? buckling_modes : natural_modes)
+      if (mode.number == quantity.number_of_mode())
+        return &mode;
+    return nullptr;
+  }
+
+
+
   double
   ResultNumbers::value(const NamedQuantity &quantity) const
   {
@@ -186,15 +192,13 @@ namespace lamella
              quantity.over;
     if (quantity.of == NamedQuantity::ObjectKind::mode)
       {
-        const bool  is_buckling = quantity.column == "factor";
-        const auto &modes       = is_buckling ? buckling_modes : natural_modes;
-        for (const Mode &mode : modes)
-          if (mode.number == quantity.number_of_mode())
-            return mode.value;
+        if (const Mode *const mode = find_mode(quantity); mode != nullptr)
+          return mode->value;
         Entry(quantity.path, quantity.label())
-          .refuse("recover.mode-not-found: this mode is not among the " +
-                    std::to_string(modes.size()) + " modes that were found",
-                  "Request more Modes, or another range.");
+          .refuse(
+            "recover.mode-not-found: this mode is not among those that were "
+            "found",
+            "Request more Modes, or another range.");
       }
     if (quantity.of != NamedQuantity::ObjectKind::probe)
       return value_of_resultant(quantity);
@@ -261,8 +265,8 @@ namespace lamella
   void
   ResultNumbers::number_modes_as(const ResultNumbers &run)
   {
-    number_as(run.natural_modes, natural_modes);
-    number_as(run.buckling_modes, buckling_modes);
+    natural_modes  = numbered_as(run.natural_modes, natural_modes);
+    buckling_modes = numbered_as(run.buckling_modes, buckling_modes);
   }
 
 

@@ -113,6 +113,11 @@ namespace lamella
   std::string
   describe_growth();
 
+  /// Reason why a mode has no bar, for messages.
+  inline const char *const no_similar_mode =
+    "no mode of a comparison model moves alike. Request fewer modes, or a "
+    "richer theory";
+
   /// Estimated error of a value of a run.
   struct ErrorBar
   {

@@ -110,7 +110,11 @@ namespace lamella
     /// Returns the largest ratio |change| / threshold of a goal by @p step.
     double
     weight_of(const Step &step) const;
-    /// Returns the signed change of the goal @p quantity by @p step.
+    /// Returns true if all models so far have the goal @p quantity.
+    bool
+    has_all(const NamedQuantity &quantity) const;
+    /// Returns the signed change of the goal @p quantity by @p step; 0 if a
+    /// model lacks it.
     double
     share_of(const Step &step, const NamedQuantity &quantity) const;
     /// Returns the values of @p quantity before and after all steps.
