@@ -18,12 +18,12 @@ namespace lamella
   namespace
   {
     /// Points of a cross-section with masses, positions and velocities in axes
-    /// of the body.
+    /// of the body, v[m] those of motion m.
     struct SectionMotion
     {
-      std::vector<double>       mass;
-      std::vector<Point<3>>     x;
-      std::vector<Tensor<1, 3>> v;
+      std::vector<double>                    mass;
+      std::vector<Point<3>>                  x;
+      std::vector<std::vector<Tensor<1, 3>>> v;
     };
 
 
@@ -53,12 +53,12 @@ namespace lamella
     /// Returns the cross-sections of Gauss points of @p body, by their
     /// positions along the axis.
     std::map<long, SectionMotion>
-    section_motions(const Body                &body,
-                    const std::vector<double> &rho,
-                    const Vector              &u,
-                    const Vector              &v)
+    section_motions(const Body                        &body,
+                    const std::vector<double>         &rho,
+                    const Vector                      &u,
+                    const std::vector<const Vector *> &v)
     {
-      const QAnisotropic<3> gauss(QGauss<1>(2), QGauss<1>(4), QGauss<1>(2));
+      const QAnisotropic<3> gauss(QGauss<1>(2), QGauss<1>(8), QGauss<1>(2));
       const double same = arithmetic::quadrature_tolerance * body.size();
       std::map<long, SectionMotion> sections;
       for (unsigned int cell = 0; cell < body.cells().n; ++cell)
@@ -73,18 +73,23 @@ namespace lamella
           const auto rows = body.rows(locations, u);
           for (unsigned int q = 0; q < gauss.size(); ++q)
             {
-              const Location &at = locations[q];
-              const Point<3>  x  = body.place().to_body(at.position);
-              Tensor<1, 3>    velocity;
-              for (unsigned int c = 0; c < 3; ++c)
-                velocity[c] = rows[q][c](v);
-              SectionMotion &section = sections[std::lround(x[1] / same)];
+              const Location &at      = locations[q];
+              const Point<3>  x       = body.place().to_body(at.position);
+              SectionMotion  &section = sections[std::lround(x[1] / same)];
               section.mass.push_back(gauss.weight(q) *
                                      (rho.empty() ? 1. : rho[at.ply]) *
                                      volume_factor(body, at.places[0]));
               section.x.push_back(x);
-              section.v.push_back(body.place().vector_to_body(
-                transpose(body.rotation_at(at, u)) * velocity));
+              section.v.resize(v.size());
+              const Tensor<2, 3> back = transpose(body.rotation_at(at, u));
+              for (unsigned int m = 0; m < v.size(); ++m)
+                {
+                  Tensor<1, 3> velocity;
+                  for (unsigned int c = 0; c < 3; ++c)
+                    velocity[c] = rows[q][c](*v[m]);
+                  section.v[m].push_back(
+                    body.place().vector_to_body(back * velocity));
+                }
             }
         }
       return sections;
@@ -103,16 +108,16 @@ namespace lamella
 
 
 
-    /// Returns the rigid motion with the momenta of @p section.
+    /// Returns the rigid motion with the momenta of @p section in motion @p m.
     RigidVelocity
-    rigid_velocity(const SectionMotion &section)
+    rigid_velocity(const SectionMotion &section, const unsigned int m)
     {
       RigidVelocity rigid;
       for (unsigned int k = 0; k < section.mass.size(); ++k)
         {
           rigid.mass += section.mass[k];
           rigid.center += section.mass[k] * section.x[k];
-          rigid.mean += section.mass[k] * section.v[k];
+          rigid.mean += section.mass[k] * section.v[m][k];
         }
       if (!(rigid.mass > 0.))
         return {};
@@ -126,7 +131,7 @@ namespace lamella
             section.mass[k] * (r.norm_square() * unit_symmetric_tensor<3>() -
                                symmetrize(outer_product(r, r)));
           rigid.angular_momentum +=
-            section.mass[k] * cross_product_3d(r, section.v[k]);
+            section.mass[k] * cross_product_3d(r, section.v[m][k]);
         }
       rigid.polar_inertia = trace(inertia);
       // Points on a line do not determine the rotation.
@@ -137,10 +142,11 @@ namespace lamella
 
 
 
-    /// Adds the energies of the motions of @p section to @p shares: the rigid
+    /// Adds the energies of motion @p m of @p section to @p shares: the rigid
     /// motion with its momenta, and what remains.
     void
     add_energies(const SectionMotion &section,
+                 const unsigned int   m,
                  const RigidVelocity &rigid,
                  MotionShares        &shares)
     {
@@ -160,7 +166,7 @@ namespace lamella
       for (unsigned int k = 0; k < section.mass.size(); ++k)
         {
           const Tensor<1, 3> rest =
-            section.v[k] - rigid.mean -
+            section.v[m][k] - rigid.mean -
             cross_product_3d(rigid.omega, section.x[k] - rigid.center);
           add(Motion::width, section.mass[k] * rest[0] * rest[0]);
           add(Motion::warping, section.mass[k] * rest[1] * rest[1]);
@@ -194,30 +200,34 @@ namespace lamella
 
 
 
-  BodyMotion
-  motion_of(const Body                &body,
-            const std::vector<double> &rho,
-            const Vector              &u,
-            const Vector              &v)
+  std::vector<BodyMotion>
+  motions_of(const Body                        &body,
+             const std::vector<double>         &rho,
+             const Vector                      &u,
+             const std::vector<const Vector *> &v)
   {
-    BodyMotion motion;
-    const auto sections = section_motions(body, rho, u, v);
+    std::vector<BodyMotion> motions(v.size());
+    const auto              sections = section_motions(body, rho, u, v);
     if (sections.empty())
-      return motion;
+      return motions;
     const double first  = sections.begin()->first,
                  length = std::max(1., sections.rbegin()->first - first);
-    for (const auto &[y, section] : sections)
+    for (unsigned int m = 0; m < v.size(); ++m)
       {
-        const RigidVelocity rigid = rigid_velocity(section);
-        add_energies(section, rigid, motion.shares);
-        if (rigid.mass > 0.)
-          add_momenta(rigid, (y - first) / length, motion.momenta);
+        MotionShares &shares = motions[m].shares;
+        for (const auto &[y, section] : sections)
+          {
+            const RigidVelocity rigid = rigid_velocity(section, m);
+            add_energies(section, m, rigid, shares);
+            if (rigid.mass > 0.)
+              add_momenta(rigid, (y - first) / length, motions[m].momenta);
+          }
+        double sum = 0.;
+        for (const double share : shares)
+          sum += share;
+        for (double &share : shares)
+          share /= sum > 0. ? sum : 1.;
       }
-    double sum = 0.;
-    for (const double share : motion.shares)
-      sum += share;
-    for (double &share : motion.shares)
-      share /= sum > 0. ? sum : 1.;
-    return motion;
+    return motions;
   }
 } // namespace lamella

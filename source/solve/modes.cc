@@ -74,23 +74,42 @@ namespace lamella
 
 
 
-    /// Sets body and motion of @p mode, whose energies are @p energies. Motions
-    /// of buckling modes have equal densities as weights.
+    /// Sets the motion of each of @p modes, whose bodies are known. Motions of
+    /// buckling modes have equal densities as weights.
     void
-    describe(const Structure           &structure,
-             const BlockVector         &u,
-             const std::vector<double> &energies,
-             const bool                 is_buckling,
-             Mode                      &mode)
+    describe(const Structure   &structure,
+             const BlockVector &u,
+             const bool         is_buckling,
+             std::vector<Mode> &modes)
     {
-      mode.body =
-        std::max_element(energies.begin(), energies.end()) - energies.begin();
-      const Body &body = *structure.bodies()[mode.body];
-      mode.motion =
-        motion_of(body,
-                  is_buckling ? std::vector<double>() : densities(body),
-                  u.block(mode.body),
-                  mode.shape.block(mode.body));
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        {
+          std::vector<const Vector *> shapes;
+          std::vector<Mode *>         own;
+          for (Mode &mode : modes)
+            if (mode.body == b)
+              {
+                own.push_back(&mode);
+                shapes.push_back(&mode.shape.block(b));
+              }
+          if (own.empty())
+            continue;
+          const Body &body = *structure.bodies()[b];
+          const auto  rho =
+            is_buckling ? std::vector<double>() : densities(body);
+          const auto motions = motions_of(body, rho, u.block(b), shapes);
+          for (unsigned int k = 0; k < own.size(); ++k)
+            own[k]->motion = motions[k];
+        }
+    }
+
+
+
+    unsigned int
+    index_of_largest(const std::vector<double> &energies)
+    {
+      return std::max_element(energies.begin(), energies.end()) -
+             energies.begin();
     }
 
 
@@ -311,9 +330,10 @@ namespace lamella
                                  mass,
                                  whole);
         mode.number = n_below + k + 1;
-        describe(structure, state.u, mass.energies(mode.shape), false, mode);
+        mode.body   = index_of_largest(mass.energies(mode.shape));
         found.modes.push_back(std::move(mode));
       }
+    describe(structure, state.u, false, found.modes);
     return found;
   }
 
@@ -351,9 +371,10 @@ namespace lamella
           std::vector<double> energies;
           for (unsigned int b = 0; b < f.n_blocks(); ++b)
             energies.push_back(f.block(b) * mode.shape.block(b));
-          describe(structure, state.u, energies, true, mode);
+          mode.body = index_of_largest(energies);
           modes.push_back(std::move(mode));
         }
+    describe(structure, state.u, true, modes);
     return modes;
   }
 } // namespace lamella

@@ -188,16 +188,16 @@ namespace lamella
     std::vector<double> momenta;
   };
 
-  /// Returns the motion of @p body with the velocity @p v (DoFs) at the DoFs @p
-  /// u, and a density @p rho of each ply (equal if empty). Shares are those of
-  /// the kinetic energy int rho |v|^2 / 2 dV. In each cross-section, v is
-  /// projected onto the rigid motions. Four Gauss points along each element,
-  /// two across.
-  BodyMotion
-  motion_of(const Body                &body,
-            const std::vector<double> &rho,
-            const Vector              &u,
-            const Vector              &v);
+  /// Returns the motion of @p body with each of the velocities @p v (DoFs) at
+  /// the DoFs @p u, and a density @p rho of each ply (equal if empty). Shares
+  /// are those of the kinetic energy int rho |v|^2 / 2 dV. In each
+  /// cross-section v is projected onto the rigid motions. Eight Gauss points
+  /// along each element, two across.
+  std::vector<BodyMotion>
+  motions_of(const Body                        &body,
+             const std::vector<double>         &rho,
+             const Vector                      &u,
+             const std::vector<const Vector *> &v);
 } // namespace lamella
 
 #endif
