@@ -372,9 +372,11 @@ namespace lamella
   {
     prm.declare_entry("Factors",
                       "",
-                      patterns::numbers(),
+                      Anything(),
                       "One factor for each load step, instead of Load factors. "
-                      "Empty: Load factors apply.");
+                      "Empty: Load factors apply. harmonic: the value is the "
+                      "amplitude of an oscillation (Find = response), and has "
+                      "no part in the load steps.");
   }
 
 
@@ -385,7 +387,9 @@ namespace lamella
     const Entry entry = in["Factors"];
     if (entry.is_empty())
       return 0;
-    const std::vector<double> factors = entry.numbers();
+    const bool                oscillates = entry.text() == "harmonic";
+    const std::vector<double> factors =
+      oscillates ? std::vector<double>(steps.size(), 0.) : entry.numbers();
     if (factors.size() != steps.size())
       entry.refuse("conditions.count-of-factors: there are " +
                      std::to_string(factors.size()) +
@@ -394,7 +398,7 @@ namespace lamella
                    "Write one factor for each load step.");
     unsigned int number = 0;
     for (unsigned int k = 0; k < steps.size(); ++k)
-      number = steps[k].add(factors[k]);
+      number = steps[k].add(factors[k], oscillates);
     return number;
   }
 

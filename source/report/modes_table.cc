@@ -2,6 +2,8 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
+#include <lamella/body/fields.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/summary.h>
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <ostream>
 
 namespace lamella
@@ -116,6 +119,54 @@ namespace lamella
 
 
 
+    /// Returns the columns that are linear in the displacements.
+    std::vector<unsigned int>
+    columns_of_response()
+    {
+      std::vector<unsigned int> columns;
+      for (unsigned int c = 0; c < field_names().size(); ++c)
+        if (kind_of_column(field_names()[c]) != 'j')
+          columns.push_back(c);
+      return columns;
+    }
+
+
+
+    /// Returns the phase angle of @p value in degrees.
+    double
+    degrees(const std::complex<double> &value)
+    {
+      return std::arg(value) * 180. / dealii::numbers::PI;
+    }
+
+
+
+    /// Prints the largest amplitude of each displacement component at probes.
+    void
+    print_response(std::ostream &out, const Results &results)
+    {
+      out << "\nHarmonic response, largest amplitudes:\n";
+      TextTable table{{"probe", "column", "amplitude", "at Hz", "phase, deg"}};
+      for (unsigned int p = 0; p < results.probes.size(); ++p)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const HarmonicRow *peak = nullptr;
+            for (const HarmonicRow &row : results.response)
+              if (row.probe == p &&
+                  (peak == nullptr ||
+                   std::abs(row.values[c]) > std::abs(peak->values[c])))
+                peak = &row;
+            table.push_back({results.probes[p],
+                             field_names()[c],
+                             to_text(std::abs(peak->values[c]), 5),
+                             to_text(peak->frequency, 6),
+                             to_text(degrees(peak->values[c]), 3)});
+          }
+      print_table(out, table);
+    }
+
+
+
     void
     print_natural_modes(std::ostream &out, const Results &results)
     {
@@ -188,11 +239,37 @@ namespace lamella
 
 
 
+  std::string
+  response_csv(const Results &results)
+  {
+    CsvLine header;
+    header << "frequency"
+           << "probe"
+           << "ply";
+    for (const unsigned int c : columns_of_response())
+      header << field_names()[c] << field_names()[c] + " phase";
+    std::string text = header.text();
+    for (const HarmonicRow &row : results.response)
+      {
+        CsvLine line;
+        line << row.frequency << results.probes[row.probe]
+             << (row.ply == several_plies ? 0 : row.ply + 1);
+        for (const unsigned int c : columns_of_response())
+          line << std::abs(row.values[c]) << degrees(row.values[c]);
+        text += line.text();
+      }
+    return text;
+  }
+
+
+
   void
   print_modes(std::ostream &out, const Results &results)
   {
     if (results.natural_modes)
       print_natural_modes(out, results);
+    if (!results.response.empty())
+      print_response(out, results);
     if (results.buckling_modes.empty())
       return;
     out << "\nBuckling modes, factors of the loads of the last load step:\n";

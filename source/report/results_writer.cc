@@ -211,6 +211,8 @@ namespace lamella
       write_file(place.path() + "/failure.csv", failure_table(results));
     if (results.natural_modes || !results.buckling_modes.empty())
       write_file(place.path() + "/modes.csv", modes_csv(results));
+    if (!results.response.empty())
+      write_file(place.path() + "/response.csv", response_csv(results));
   }
 
 

@@ -3,10 +3,8 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
-#include <lamella/recover/named_quantity.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/run/first_failure.h>
-#include <lamella/solve/small_motions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,114 +152,5 @@ namespace lamella
     return "run.failure-not-found: no ply fails up to load factor " + safe +
            ", and at " + to_text(*without_state, 6) +
            " the solution failed. Cause: " + reason;
-  }
-
-
-
-  namespace
-  {
-    /// Computes the natural modes; @p stresses are null without prestress.
-    void
-    find_natural_modes(const ModeRequest        &request,
-                       LinearSystem             &system,
-                       const State              &state,
-                       const GeometricStiffness *stresses,
-                       Results                  &results)
-    {
-      // Stresses of linear kinematics are no approximation beyond its range.
-      const bool is_in_range =
-        request.has_stresses && results.last().checks.beyond.is_in_range();
-      results.natural_modes =
-        natural_modes(system, state, is_in_range ? stresses : nullptr, request);
-      if (!request.range &&
-          results.natural_modes->modes.size() < request.number)
-        results.endnotes.push_back(
-          "run.few-modes: only " +
-          std::to_string(results.natural_modes->modes.size()) +
-          " natural modes were found");
-      if (!is_in_range)
-        results.endnotes.push_back(
-          "run.modes-without-prestress: The last load step is beyond the range "
-          "of linear kinematics: natural modes are those of bodies without "
-          "stresses. Use Rotations = large to include the stresses");
-    }
-
-
-
-    /// Computes @p n buckling modes; @p stresses are null without stresses.
-    void
-    find_buckling_modes(const unsigned int        n,
-                        LinearSystem             &system,
-                        const State              &state,
-                        const GeometricStiffness *stresses,
-                        Results                  &results)
-    {
-      if (system.tangent().of().has_finite_rotations())
-        throw InputError(
-          "Find",
-          "buckling",
-          "run.buckling-with-large-rotations: linear buckling multiplies the "
-          "stresses of linear kinematics",
-          "Write Rotations = linear, or increase the loads until the run "
-          "reports an unstable state.");
-      if (stresses == nullptr)
-        throw InputError("Find",
-                         "buckling",
-                         "run.buckling-without-load: the last load step has no "
-                         "displacements, and therefore no stresses",
-                         "Add a load.");
-      results.buckling_modes = buckling_modes(system, state, *stresses, n);
-      if (results.buckling_modes.size() < n)
-        results.endnotes.push_back(
-          "run.few-buckling-modes: the loads have only " +
-          std::to_string(results.buckling_modes.size()) +
-          " buckling modes with positive factors");
-    }
-  } // namespace
-
-
-
-  void
-  find_modes(const BuiltScene &built,
-             LinearSystem     *system,
-             const State      &state,
-             Results          &results)
-  {
-    const FindRequest                  &request = built.scene().find;
-    std::unique_ptr<LinearSystem>       large;
-    std::unique_ptr<GeometricStiffness> stresses;
-    if (system == nullptr)
-      {
-        // The tangent stiffness at the last state contains its stresses.
-        large = std::make_unique<LinearSystem>(
-          std::make_shared<const TangentOperator>(
-            built.structure(),
-            state.u,
-            built.scene().solve.solver,
-            TangentOperator::BodyMonitor(),
-            BlockVector(),
-            results.last().load_factor),
-          built.rows());
-        system = large.get();
-      }
-    else if (state.u.linfty_norm() > 0.)
-      stresses = std::make_unique<GeometricStiffness>(*system, state);
-    if (built.structure().has_unsymmetric_loads())
-      throw InputError(
-        "Find",
-        "modes",
-        "run.modes-with-follower-loads: the follower loads of the scene have "
-        "an unsymmetric stiffness, and modes need a symmetric one",
-        "Replace moments and pressures on edges by forces.");
-    if (request.modes)
-      find_natural_modes(
-        *request.modes, *system, state, stresses.get(), results);
-    if (request.n_buckling_modes > 0)
-      find_buckling_modes(
-        request.n_buckling_modes, *system, state, stresses.get(), results);
-    const ResultNumbers numbers(results);
-    for (const NamedQuantity &goal : built.scene().goals.quantities)
-      if (goal.of == NamedQuantity::ObjectKind::mode)
-        results.quantities[goal.label()] = numbers.value(goal);
   }
 } // namespace lamella

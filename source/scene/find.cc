@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/base/patterns.h>
 #include <lamella/scene/find.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 namespace lamella
 {
+  using dealii::ParameterHandler;
+  using dealii::Patterns::Anything;
+
   namespace
   {
     /// Largest number of modes: a limit for typing errors.
@@ -38,10 +42,68 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns the frequencies of @p entry, a list or FROM to TO in N.
+    std::vector<double>
+    parse_frequencies(const Entry &entry)
+    {
+      if (entry.is_empty())
+        entry.refuse_missing("Write frequencies, as in 0 to 500 in 100.");
+      const std::string  &text = entry.text();
+      const std::size_t   to = text.find(" to "), in = text.find(" in ");
+      std::vector<double> all;
+      if (to == std::string::npos)
+        all = entry.numbers();
+      else if (in == std::string::npos || in < to)
+        entry.refuse("scene.range-of-frequencies: a range of frequencies needs "
+                     "a number of intervals",
+                     "Write, for example, 0 to 500 in 100.");
+      else
+        {
+          const double from = entry.number(trimmed(text.substr(0, to))),
+                       end  = entry.number(
+                         trimmed(text.substr(to + 4, in - to - 4)));
+          const unsigned int n =
+            Entry(entry.path(), trimmed(text.substr(in + 4))).whole(1, 100000);
+          for (unsigned int k = 0; k <= n; ++k)
+            all.push_back(from + (end - from) * k / n);
+        }
+      for (unsigned int k = 0; k < all.size(); ++k)
+        if (!(all[k] >= 0. && (k == 0 || all[k] > all[k - 1])))
+          entry.refuse("scene.order-of-frequencies: frequencies [Hz] must "
+                       "ascend from at least 0",
+                       "Sort them, and remove repetitions.");
+      return all;
+    }
+
+
+
+    HarmonicRequest
+    parse_response(const Entries &in)
+    {
+      HarmonicRequest request;
+      request.frequencies = parse_frequencies(in["Frequencies"]);
+      const Entry damping = in["Damping"];
+      if (damping.is_empty())
+        damping.refuse_missing("Write damping ratios, as in 0.02, or 0 for "
+                               "undamped modes.");
+      request.damping = damping.numbers();
+      for (const double ratio : request.damping)
+        if (!(ratio >= 0. && ratio < 1.))
+          damping.refuse("scene.damping-out-of-range: damping ratios are at "
+                         "least 0 (undamped) and below 1 (critical)",
+                         "Write, for example, 0.02.");
+      request.base_acceleration = in["Base acceleration"].point();
+      return request;
+    }
+  } // namespace
+
+
+
   void
   FindRequest::declare(dealii::ParameterHandler &prm)
   {
-    using dealii::Patterns::Anything;
     prm.declare_entry(
       "Find",
       "",
@@ -50,8 +112,9 @@ namespace lamella
       "load factor at which the smallest reserve factor of subsection Strength "
       "is 1, to 0.1 %, with a new contact solution at each trial; `modes`: "
       "natural frequencies and modes about the last load step (materials need "
-      "a Density; bodies may be free); `buckling`: factors of the last loads "
-      "and modes of linear buckling. Empty: nothing.");
+      "a Density; bodies may be free); `response`: modes, and the steady "
+      "harmonic response (subsection Harmonic response); `buckling`: factors "
+      "of the last loads and modes of linear buckling. Empty: nothing.");
     prm.declare_entry(
       "Modes",
       "10",
@@ -64,19 +127,50 @@ namespace lamella
       Anything(),
       "Reference values to print, mode: value: source, with '|' between; a "
       "frequency [Hz] of mode-1, mode-2, ..., a factor of buckling-1, ...");
+    prm.enter_subsection("Harmonic response");
+    prm.declare_entry(
+      "Frequencies",
+      "",
+      Anything(),
+      "Frequencies [Hz]: a list as 10, 20, 50, or a range as 0 "
+      "to 500 in 100 (equal intervals). Natural frequencies and "
+      "half-power points within it are added.");
+    prm.declare_entry("Damping",
+                      "",
+                      patterns::numbers(),
+                      "Damping ratio of each mode; the last number holds for "
+                      "all further modes. 0.02: 2 % of critical damping.");
+    prm.declare_entry("Base acceleration",
+                      "0, 0, 0",
+                      patterns::numbers(),
+                      "Amplitude of the acceleration of all supports. The "
+                      "response is then relative to the supports.");
+    prm.leave_subsection();
   }
 
 
 
   FindRequest
-  FindRequest::parse(const Entries &in, const bool has_criteria)
+  FindRequest::parse(ParameterHandler &prm, const bool has_criteria)
   {
+    const Entries     in(prm, "");
     FindRequest       find;
     const Entry       entry = in["Find"];
     const ModeRequest modes = parse_modes(in["Modes"]);
     for (const std::string &item : entry.items())
       if (item == "modes")
         find.modes = modes;
+      else if (item == "response")
+        {
+          find.modes = modes;
+          if (modes.range && modes.range->first > 0.)
+            in["Modes"].refuse("scene.modes-of-response: a response contains "
+                               "all modes from the lowest one on",
+                               "Write a range from 0, or a number.");
+          prm.enter_subsection("Harmonic response");
+          find.response = parse_response(Entries(prm, "Harmonic response"));
+          prm.leave_subsection();
+        }
       else if (item == "buckling")
         {
           if (modes.range)
@@ -86,8 +180,9 @@ namespace lamella
           find.n_buckling_modes = modes.number;
         }
       else if (item != "first failure")
-        entry.refuse("scene.unknown-find: write `first failure`, `modes` or "
-                     "`buckling`, with commas between, or nothing");
+        entry.refuse("scene.unknown-find: write `first failure`, `modes`, "
+                     "`response` or `buckling`, with commas between, or "
+                     "nothing");
       else if (!has_criteria)
         entry.refuse("scene.no-criteria: Find = first failure needs failure "
                      "criteria, but Criteria is empty",

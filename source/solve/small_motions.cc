@@ -289,6 +289,17 @@ namespace lamella
 
 
 
+  double
+  SmallMotions::largest_jump(const BlockVector &v) const
+  {
+    double largest = 0.;
+    for (const unsigned int number : closed.numbers)
+      largest = std::max(largest, std::abs(rows.constraint(number).jump(v)));
+    return largest;
+  }
+
+
+
   unsigned int
   SmallMotions::n_free_dofs() const
   {

@@ -26,6 +26,7 @@ namespace lamella
     LoadFactor(const double scene = 0., std::vector<double> own = {})
       : scene(scene)
       , own(std::move(own))
+      , amplitudes(this->own.size(), 0.)
     {}
 
     /// Returns the factor of the scene.
@@ -48,10 +49,12 @@ namespace lamella
     }
 
     /// Adds the factor of another load, support or obstacle; returns its index.
+    /// If it @p oscillates, its value is an amplitude (`Factors = harmonic`).
     unsigned int
-    add(const double factor)
+    add(const double factor, const bool oscillates = false)
     {
       own.push_back(factor);
+      amplitudes.push_back(oscillates ? 1. : 0.);
       return own.size();
     }
 
@@ -60,7 +63,8 @@ namespace lamella
     LoadFactor
     after(const LoadFactor &from, const double way) const
     {
-      LoadFactor result(from.scene + way * (scene - from.scene), own);
+      LoadFactor result = *this;
+      result.scene      = from.scene + way * (scene - from.scene);
       for (unsigned int k = 0; k < own.size(); ++k)
         result.own[k] = from.own[k] + way * (own[k] - from.own[k]);
       result.thermal_factor =
@@ -91,6 +95,16 @@ namespace lamella
       return result;
     }
 
+    /// Returns these factors plus the amplitudes of oscillating loads.
+    LoadFactor
+    with_oscillation() const
+    {
+      LoadFactor result = *this;
+      for (unsigned int k = 0; k < own.size(); ++k)
+        result.own[k] += amplitudes[k];
+      return result;
+    }
+
     /// Returns these factors, but with the temperature factor of @p other.
     LoadFactor
     with_thermal_factor_of(const LoadFactor &other) const
@@ -105,12 +119,12 @@ namespace lamella
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &scene &own &thermal_factor;
+      archive &scene &own &amplitudes &thermal_factor;
     }
 
   private:
     double              scene, thermal_factor = 1.;
-    std::vector<double> own;
+    std::vector<double> own, amplitudes;
   };
 } // namespace lamella
 

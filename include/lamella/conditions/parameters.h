@@ -40,8 +40,9 @@ namespace lamella
 
     /// Adds number k in `Factors` of @p in to @p steps[k], the factors of load
     /// step k. Returns the index of this factor for LoadFactor::of(), or 0
-    /// (load factor of the scene) if the entry is empty. Throws InputError if
-    /// there is not one number per load step.
+    /// (load factor of the scene) if the entry is empty; the factors are 0 if
+    /// it is `harmonic`. Throws InputError if there is not one number per load
+    /// step.
     static unsigned int
     parse(const Entries &in, std::vector<LoadFactor> &steps);
   };

@@ -14,6 +14,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <complex>
 #include <map>
 #include <memory>
 #include <optional>
@@ -217,6 +218,16 @@ namespace lamella
     drop_fields();
   };
 
+  /// Harmonic response at a probe in one ply.
+  struct HarmonicRow
+  {
+    double       frequency = 0.; ///< Frequency [Hz].
+    unsigned int probe     = 0;  ///< Index of the probe.
+    unsigned int ply       = 0;  ///< Ply as in FieldRow.
+    /// Complex amplitudes in the order of field_names().
+    std::vector<std::complex<double>> values;
+  };
+
   /// Model data of a body in the results.
   struct BodySummary
   {
@@ -275,6 +286,8 @@ namespace lamella
     std::optional<NaturalModes> natural_modes;
     /// Buckling modes of the last loads, factors ascending.
     std::vector<Mode> buckling_modes;
+    /// Steady harmonic response, ordered by frequency, probe and ply.
+    std::vector<HarmonicRow> response;
     /// Values of the quantities of subsection Goals in the last load step.
     std::map<std::string, double> quantities;
     /// Quantities of interest with error estimates; empty if not estimated.

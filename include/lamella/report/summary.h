@@ -23,7 +23,13 @@ namespace lamella
   std::string
   modes_csv(const Results &results);
 
-  /// Prints tables of natural and buckling modes; nothing if there are none.
+  /// Returns response.csv: amplitude and phase angle [degrees] of each column
+  /// of probes.csv, a line per frequency, probe and ply.
+  std::string
+  response_csv(const Results &results);
+
+  /// Prints tables of modes and of the largest amplitudes of a response;
+  /// nothing if there are none.
   void
   print_modes(std::ostream &out, const Results &results);
 

@@ -70,19 +70,6 @@ namespace lamella
     std::optional<double> without_state;
     std::string           reason;
   };
-
-  /// Computes the natural and buckling modes that the scene of @p built
-  /// requests about @p state, the last load step of @p results, and sets them
-  /// there. @p system has solved it, and is null for finite rotations. With
-  /// linear kinematics, natural modes include the stresses of the state unless
-  /// it is beyond the linear range (a note). Throws InputError for buckling
-  /// modes without stresses or with finite rotations, and as natural_modes()
-  /// and buckling_modes(). Collective.
-  void
-  find_modes(const BuiltScene &built,
-             LinearSystem     *system,
-             const State      &state,
-             Results          &results);
 } // namespace lamella
 
 #endif

@@ -89,6 +89,10 @@ namespace lamella
       return rigid;
     }
 
+    /// Returns the largest |B @p v| of closed constraints.
+    double
+    largest_jump(const BlockVector &v) const;
+
     /// Returns the dimension of the space of solutions.
     unsigned int
     n_free_dofs() const;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <lamella/base/arithmetic.h>
+#include <lamella/base/exceptions.h>
+#include <lamella/base/text.h>
+#include <lamella/solve/harmonic_response.h>
+#include <lamella/solve/small_motions.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Returns the acceleration @p a of all bodies.
+    BlockVector
+    translation(const Structure            &structure,
+                const BlockVector          &u,
+                const dealii::Tensor<1, 3> &a)
+    {
+      BlockVector all = structure.zero();
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        {
+          const auto rigid = structure.bodies()[b]->rigid_motions(u.block(b));
+          for (unsigned int d = 0; d < 3; ++d)
+            all.block(b).add(a[d], rigid[d]);
+        }
+      return all;
+    }
+  } // namespace
+
+
+
+  HarmonicResponse::HarmonicResponse(LinearSystem             &system,
+                                     const State              &state,
+                                     const LoadFactor         &factor,
+                                     const GeometricStiffness *prestress,
+                                     const NaturalModes       &modes,
+                                     const HarmonicRequest    &request)
+    : request(request)
+    , n_rigid(modes.n_rigid)
+  {
+    for (const Mode &mode : modes.modes)
+      natural.push_back(mode.value);
+    check_frequencies();
+    const Structure   &structure = system.tangent().of();
+    const MassMatrix   mass(structure, state.u);
+    const Operator     weight = [&](const BlockVector &v) { return mass(v); };
+    const SmallMotions small(
+      system,
+      state,
+      weight,
+      prestress == nullptr ? Operator() : [&](const BlockVector &v) {
+        return (*prestress)(v);
+      });
+    const LoadFactor raised = factor.with_oscillation();
+    BlockVector      u_s = system.tangent().support_increment(factor, raised);
+    if (small.largest_jump(u_s) >
+        arithmetic::rounding_of_results * u_s.linfty_norm())
+      throw InputError("Find",
+                       "response",
+                       "solve.support-moves-contact: a prescribed motion of a "
+                       "support moves a closed contact directly",
+                       "Move the support away from the contact.");
+    BlockVector f = small.times_stiffness(u_s);
+    f *= -1.;
+    u_s += small.solve(f);
+    f = structure.load(raised, state.u);
+    f -= structure.load(factor, state.u);
+    f -= mass(translation(structure, state.u, request.base_acceleration));
+    const BlockVector Mu = mass(u_s);
+    basis                = {u_s, small.solve(Mu)};
+    basis[0] += small.solve(f);
+    for (const BlockVector &motion : small.rigid_motions())
+      basis.push_back(motion);
+    for (const Mode &mode : modes.modes)
+      basis.push_back(mode.shape);
+    for (unsigned int k = 2; k < basis.size(); ++k)
+      {
+        of_loads.push_back(basis[k] * f);
+        of_motion.push_back(basis[k] * Mu);
+      }
+  }
+
+
+
+  void
+  HarmonicResponse::check_frequencies() const
+  {
+    const auto refuse = [](const double       frequency,
+                           const std::string &rule,
+                           const std::string &remedy) {
+      throw InputError("Harmonic response/Frequencies",
+                       to_text(frequency, 9),
+                       rule,
+                       remedy);
+    };
+    for (const double f : request.frequencies)
+      {
+        if (f == 0. && n_rigid > 0)
+          refuse(
+            f,
+            "solve.static-response-of-free-bodies: the response at 0 Hz is "
+            "unbounded, since bodies are free to move",
+            "Begin at a higher frequency, or hold the bodies.");
+        for (unsigned int k = 0; k < natural.size(); ++k)
+          if (request.damping_of(k) == 0. &&
+              std::abs(f - natural[k]) <=
+                arithmetic::rounding_of_results * natural[k])
+            refuse(f,
+                   "solve.undamped-resonance: the response is unbounded, since "
+                   "this is the natural frequency of an undamped mode",
+                   "Write another frequency, or Damping.");
+      }
+  }
+
+
+
+  std::vector<std::complex<double>>
+  HarmonicResponse::coefficients(const double frequency) const
+  {
+    const double omega = 2. * numbers::PI * frequency, square = omega * omega;
+    std::vector<std::complex<double>> c{1., square};
+    for (unsigned int k = 0; k < of_loads.size(); ++k)
+      {
+        const double force = of_loads[k] + square * of_motion[k];
+        if (k < n_rigid)
+          {
+            c.push_back(-force / square);
+            continue;
+          }
+        const unsigned int         mode = k - n_rigid;
+        const double               own  = 2. * numbers::PI * natural[mode];
+        const std::complex<double> D(own * own - square,
+                                     2. * request.damping_of(mode) * own *
+                                       omega);
+        c.push_back(force * (1. / D - 1. / (own * own)));
+      }
+    return c;
+  }
+
+
+
+  std::vector<double>
+  HarmonicResponse::frequencies() const
+  {
+    std::vector<double> all   = request.frequencies;
+    const double        first = all.front(), last = all.back();
+    for (unsigned int k = 0; k < natural.size(); ++k)
+      if (const double zeta = request.damping_of(k); zeta > 0.)
+        for (const double factor : {1. - zeta, 1., 1. + zeta})
+          if (const double f = factor * natural[k]; f > first && f < last)
+            all.push_back(f);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(),
+                          all.end(),
+                          [](const double one, const double other) {
+                            return other - one <=
+                                   arithmetic::rounding_of_results * other;
+                          }),
+              all.end());
+    return all;
+  }
+} // namespace lamella
