@@ -105,20 +105,6 @@ namespace lamella
 
 
 
-    /// Prints mass, center and moments of inertia about the center.
-    void
-    print_inertia(std::ostream &out, const Inertia &inertia)
-    {
-      const dealii::SymmetricTensor<2, 3> moments = inertia.about_center();
-      out << "Mass " << to_text(inertia.mass, 6) << " at "
-          << to_text(inertia.center()) << ", moments of inertia about it "
-          << to_text(dealii::Tensor<1, 3>(
-               {moments[0][0], moments[1][1], moments[2][2]}))
-          << "\n";
-    }
-
-
-
     /// Returns the columns that are linear in the displacements.
     std::vector<unsigned int>
     columns_of_response()
@@ -172,7 +158,7 @@ namespace lamella
     {
       const NaturalModes &found = *results.natural_modes;
       out << "\nNatural modes:\n";
-      print_inertia(out, found.inertia);
+      print_inertia(out, *results.inertia);
       if (found.n_rigid > 0)
         out << found.n_rigid
             << (found.n_rigid == 1 ? " rigid motion" : " rigid motions")
@@ -196,16 +182,29 @@ namespace lamella
           for (unsigned int d = 0; d < 3; ++d)
             {
               const double p = mode.participation[d];
-              table.back().push_back(effective_mass(p * p, found.inertia));
+              table.back().push_back(effective_mass(p * p, *results.inertia));
               sums[d] += p * p;
             }
         }
       table.push_back({"sum", "", "", "", ""});
       for (const double sum : sums)
-        table.back().push_back(effective_mass(sum, found.inertia));
+        table.back().push_back(effective_mass(sum, *results.inertia));
       print_table(out, table);
     }
   } // namespace
+
+
+
+  void
+  print_inertia(std::ostream &out, const Inertia &inertia)
+  {
+    const dealii::SymmetricTensor<2, 3> moments = inertia.about_center();
+    out << "Mass " << to_text(inertia.mass, 6) << " at "
+        << to_text(inertia.center()) << ", moments of inertia about it "
+        << to_text(dealii::Tensor<1, 3>(
+             {moments[0][0], moments[1][1], moments[2][2]}))
+        << "\n";
+  }
 
 
 
@@ -288,20 +287,23 @@ namespace lamella
   void
   add_modes(const Results &results, Json &json)
   {
-    if (results.natural_modes)
+    if (results.inertia)
       {
-        const NaturalModes &found = *results.natural_modes;
-        const auto          list  = [](const auto &tensor) {
+        const auto list = [](const auto &tensor) {
           return Json::array({tensor[0], tensor[1], tensor[2]});
         };
-        const auto moments = found.inertia.about_center();
-        json["inertia"]    = {{"mass", found.inertia.mass},
-                              {"center", list(found.inertia.center())},
+        const auto moments = results.inertia->about_center();
+        json["inertia"]    = {{"mass", results.inertia->mass},
+                              {"center", list(results.inertia->center())},
                               {"moments", Json::array()}};
         for (unsigned int i = 0; i < 3; ++i)
           json["inertia"]["moments"].push_back(list(moments[i]));
-        json["rigid_modes"] = found.n_rigid;
-        json["modes"]       = Json::array();
+      }
+    if (results.natural_modes)
+      {
+        const NaturalModes &found = *results.natural_modes;
+        json["rigid_modes"]       = found.n_rigid;
+        json["modes"]             = Json::array();
         for (const Mode &mode : found.modes)
           {
             Json one              = mode_json(mode, results, "frequency");

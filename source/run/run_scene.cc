@@ -7,6 +7,7 @@
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
+#include <lamella/report/summary.h>
 #include <lamella/report/tables.h>
 #include <lamella/report/validation.h>
 #include <lamella/run/run_scene.h>
@@ -102,6 +103,13 @@ namespace lamella
                                         results.load_steps,
                                         !simulation.is_revised());
           });
+        }
+      catch (const InputError &)
+        {
+          // What was found wrong after some steps leaves no results.
+          if (earlier == 0)
+            writer.discard();
+          throw;
         }
       catch (const NumericsError &error)
         {
@@ -255,6 +263,8 @@ namespace lamella
                         scene.units);
       }
     print_bodies(out, built.structure(), built.interfaces(), scene.units);
+    if (const auto &inertia = simulation.results().inertia)
+      print_inertia(out, *inertia);
     built.print_plans(out);
     for (const std::string &warning : simulation.results().notes)
       out << note_line(warning) << "\n";

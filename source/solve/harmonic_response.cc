@@ -47,7 +47,6 @@ namespace lamella
   {
     for (const Mode &mode : modes.modes)
       natural.push_back(mode.value);
-    check_frequencies();
     const Structure   &structure = system.tangent().of();
     const MassMatrix   mass(structure, state.u);
     const Operator     weight = [&](const BlockVector &v) { return mass(v); };
@@ -84,7 +83,12 @@ namespace lamella
       {
         of_loads.push_back(basis[k] * f);
         of_motion.push_back(basis[k] * Mu);
+        if (k < n_rigid + 2)
+          moves_rigidly = moves_rigidly || std::abs(of_loads.back()) >
+                                             arithmetic::rounding_of_results *
+                                               basis[k].l2_norm() * f.l2_norm();
       }
+    check_frequencies();
   }
 
 
@@ -128,14 +132,15 @@ namespace lamella
     std::vector<std::complex<double>> c{1., square};
     for (unsigned int k = 0; k < of_loads.size(); ++k)
       {
-        const double force = of_loads[k] + square * of_motion[k];
         if (k < n_rigid)
           {
-            c.push_back(-force / square);
+            c.push_back(-of_motion[k] -
+                        (moves_rigidly ? of_loads[k] / square : 0.));
             continue;
           }
-        const unsigned int         mode = k - n_rigid;
-        const double               own  = 2. * numbers::PI * natural[mode];
+        const double               force = of_loads[k] + square * of_motion[k];
+        const unsigned int         mode  = k - n_rigid;
+        const double               own   = 2. * numbers::PI * natural[mode];
         const std::complex<double> D(own * own - square,
                                      2. * request.damping_of(mode) * own *
                                        omega);

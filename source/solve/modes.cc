@@ -304,7 +304,6 @@ namespace lamella
   {
     const Structure &structure = system.tangent().of();
     NaturalModes     found;
-    found.inertia = inertia_of(structure.bodies());
     const MassMatrix mass(structure, state.u);
     const Operator   times_mass = [&](const BlockVector &v) { return mass(v); };
     const SmallMotions motions(
@@ -322,7 +321,9 @@ namespace lamella
       problem, structure.zero(), request, motions.n_free_dofs(), n_below);
     check_rigid_motions(motions, prestress, pairs);
     const auto whole =
-      rigid_motions_about(structure, state.u, found.inertia.center());
+      rigid_motions_about(structure,
+                          state.u,
+                          inertia_of(structure.bodies()).center());
     for (unsigned int k = 0; k < pairs.values.size(); ++k)
       {
         Mode mode   = natural_mode(pairs.values[k],

@@ -11,6 +11,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <complex>
+#include <map>
 #include <random>
 
 BOOST_AUTO_TEST_SUITE(modes)
@@ -176,6 +178,120 @@ BOOST_AUTO_TEST_CASE(an_exhausted_space_gives_its_eigenpairs)
                                               {1e-6, 10, 20});
   BOOST_REQUIRE(pairs.values.size() >= 1u);
   BOOST_TEST(std::abs(pairs.values[0] - 7.) < 1e-9);
+}
+
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  /// Complex amplitudes of column @p c of the first probe, by frequency.
+  std::map<double, Complex>
+  response(const std::vector<std::string> &overrides, const unsigned int c = 2)
+  {
+    const SolvedScene         scene("/prm/harmonic_response.prm", overrides);
+    std::map<double, Complex> values;
+    for (const HarmonicRow &row : scene.run.results().response)
+      values[row.frequency] = row.values[c];
+    return values;
+  }
+
+
+
+  double
+  circular(const double frequency)
+  {
+    return 2. * dealii::numbers::PI * frequency;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(harmonic_response_is_that_of_a_damped_euler_beam)
+{
+  // Modal series with rotary inertia, damping ratio 0.02 in each mode.
+  const double EI = 210e3 * 1e4 / 12., mass = 7.85e-7, L = 200., F = -100.;
+  const auto   exact = [&](const double f) {
+    Complex sum = 0.;
+    for (unsigned int n = 1; n < 400; ++n)
+      {
+        const double k     = n * dealii::numbers::PI / L;
+        const double modal = mass * L / 2. * (1. + 100. / 12. * k * k);
+        const double own   = std::sqrt(EI * L / 2. / modal) * k * k;
+        const double omega = circular(f);
+        sum += F * std::sin(80. * k) * std::sin(120. * k) /
+               (modal * Complex(own * own - omega * omega, 0.04 * own * omega));
+      }
+    return sum;
+  };
+  for (const std::string modes : {"6", "12"})
+    for (const auto &[f, value] : response({"Modes=" + modes}))
+      BOOST_TEST(std::abs(value - exact(f)) < 1e-3 * std::abs(exact(f)),
+                 f << " Hz: " << value << ", exact " << exact(f));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(harmonic_response_at_rest_is_static)
+{
+  const SolvedScene statics("/prm/harmonic_response.prm",
+                            {"Load force/Factors=", "Find="});
+  const double      u = statics.run.results().probe("middle").sample.u[2];
+  const Complex still = response({"Harmonic response/Frequencies=0, 1"})[0.];
+  BOOST_TEST(std::abs(still - u) < 1e-6 * std::abs(u));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(accelerated_and_moved_supports_agree)
+{
+  const std::string given = "Harmonic response/Frequencies=10 to 2000 in 10";
+  const auto        relative =
+    response({"Loads=", given, "Harmonic response/Base acceleration=0, 0, 1"});
+  const auto moved = response({"Loads=",
+                               given,
+                               "Support left/u=0, free, 1",
+                               "Support right/u=0, 0, 1",
+                               "Support left/Factors=harmonic",
+                               "Support right/Factors=harmonic"});
+  BOOST_TEST(moved.size() == relative.size());
+  for (const auto &[f, value] : moved)
+    {
+      const Complex scaled = -circular(f) * circular(f) * relative.at(f);
+      BOOST_TEST(std::abs(value - 1. - scaled) < 1e-6 * std::abs(scaled));
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(free_bar_vibrates_about_its_rigid_motion)
+{
+  const double EA = 210e5, L = 200.;
+  for (const auto &[f, value] :
+       response({"Supports=",
+                 "Modes=40",
+                 "Load force/At=5, 0, 5",
+                 "Load force/Force=0, 1000, 0",
+                 "Harmonic response/Damping=0",
+                 "Harmonic response/Frequencies=1, 500, 3000, 7000, 12000"},
+                1))
+    {
+      const double k = circular(f) * std::sqrt(7.85e-9 / 210e3);
+      const double exact =
+        -1000. * std::cos(80. * k) / (EA * k * std::sin(L * k));
+      BOOST_TEST(std::abs(value - exact) < 1e-3 * std::abs(exact), f << " Hz");
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(harmonic_response_with_large_rotations_agrees_at_rest)
+{
+  const std::string given  = "Harmonic response/Frequencies=10 to 1500 in 6";
+  const auto        linear = response({given}),
+             large         = response({given, "Rotations=large"});
+  BOOST_TEST(linear.size() == large.size());
+  auto other = large.begin();
+  for (const auto &[f, value] : linear)
+    BOOST_TEST(std::abs(value - (other++)->second) < 1e-5 * std::abs(value));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -273,6 +273,8 @@ namespace lamella
     std::vector<std::string>    measures; ///< Names of the measures.
     /// Resultant of each load at load factor 1.
     std::vector<LoadResultant> loads;
+    /// Mass of all bodies; empty if a density is unknown.
+    std::optional<Inertia> inertia;
     double size = 0.; ///< Diagonal of the bounding box of all bodies [length].
 
     std::vector<StepResults> steps;    ///< Solved load steps, in order.

@@ -34,6 +34,17 @@ namespace lamella
     void
     make_room();
 
+    /// Removes the result files of this analysis, if make_room() was called.
+    void
+    discard()
+    {
+      if (is_cleared)
+        {
+          is_cleared = false;
+          make_room();
+        }
+    }
+
     /// Disables make_room(), so that earlier results are not removed.
     void
     keep()

@@ -74,6 +74,13 @@ namespace lamella
     void
     write_end(const Results &results);
 
+    /// Removes all that was written, if the scene turns out to be wrong.
+    void
+    discard()
+    {
+      place.discard();
+    }
+
     /// Returns the locked folder of the results.
     const ResultsFolder &
     folder() const

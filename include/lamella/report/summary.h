@@ -18,6 +18,10 @@ namespace lamella
   std::string
   summary_text(const Results &results);
 
+  /// Prints mass, center of mass and moments of inertia about the center.
+  void
+  print_inertia(std::ostream &out, const Inertia &inertia);
+
   /// Returns modes.csv: a line per natural mode, then per buckling mode, with
   /// the columns of doc/reference/output.md.
   std::string

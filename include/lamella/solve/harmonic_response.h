@@ -46,8 +46,8 @@ namespace lamella
     /// at the load factors @p factor; amplitudes are those of
     /// LoadFactor::with_oscillation(). @p prestress is that of @p modes or
     /// null. Keeps a reference to @p request. Throws InputError if prescribed
-    /// motions move a closed contact, and for frequency 0 if rigid motions are
-    /// free, or where the response is unbounded without damping. Collective.
+    /// motions move a closed contact, for frequency 0 if the loads move free
+    /// bodies, and where the response is unbounded without damping. Collective.
     HarmonicResponse(LinearSystem             &system,
                      const State              &state,
                      const LoadFactor         &factor,
@@ -80,6 +80,8 @@ namespace lamella
     const HarmonicRequest &request;
     std::vector<double>    natural; ///< Natural frequencies [Hz].
     unsigned int           n_rigid;
+    /// True if the loads f - M r a do work on free rigid motions.
+    bool moves_rigidly = false;
     /// u_s + K^-1 (f - M r a), K^-1 M u_s, rigid motions, and modes.
     std::vector<BlockVector> basis;
     /// Products of rigid motions and modes with f - M r a, and with M u_s.

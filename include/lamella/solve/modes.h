@@ -49,7 +49,6 @@ namespace lamella
   {
     unsigned int      n_rigid = 0; ///< Number of rigid motions, of 0 Hz.
     std::vector<Mode> modes;       ///< Elastic modes, frequencies ascending.
-    Inertia           inertia;     ///< Mass of all bodies.
   };
 
   /// Request of natural modes: the lowest ones, or all in a range.
