@@ -106,11 +106,11 @@ namespace lamella
     };
     for (const double f : request.frequencies)
       {
-        if (f == 0. && n_rigid > 0)
+        if (f == 0. && moves_rigidly)
           refuse(
             f,
             "solve.static-response-of-free-bodies: the response at 0 Hz is "
-            "unbounded, since bodies are free to move",
+            "unbounded, since the loads move free bodies",
             "Begin at a higher frequency, or hold the bodies.");
         for (unsigned int k = 0; k < natural.size(); ++k)
           if (request.damping_of(k) == 0. &&
