@@ -14,12 +14,13 @@ cuts through the patch give contours around it, friction its shear, what sticks 
 slips, and the loop of a load that turns. Nodes that carry different lists of
 fields give a strip along each body, goals their error bars, a run to a tolerance its
 passes, and a sweep for strength how near each ply comes to failure along its body. The
-bodies for ParaView give the deformed shape, and the stress on it.
+bodies for ParaView give the deformed shape, the stress on it, and the shape of each mode.
+response.csv gives amplitudes and phases over the frequency.
 
 figures_data.py reads, figures_style.py holds what all figures share, and
 figures_lines.py, figures_history.py, figures_sections.py, figures_contact.py, figures_friction.py,
-figures_goals.py, figures_strength.py, figures_shape.py and figures_stress.py draw;
-figures_surface.py reads what the last two show. In the end the script
+figures_goals.py, figures_strength.py, figures_shape.py, figures_stress.py and figures_modes.py
+draw; figures_surface.py reads what the last three show. In the end the script
 says where the pictures are.
 """
 
@@ -33,6 +34,7 @@ from figures_friction import contact_friction, loop
 from figures_goals import fields_of_nodes, goals_with_bars, passes_of_a_tolerance
 from figures_history import load_history
 from figures_lines import across_the_width, along_the_axis, through_the_thickness
+from figures_modes import harmonic_response, mode_shapes
 from figures_sections import section_cuts, section_meshes
 from figures_shape import deformed_shape
 from figures_strength import ply_stacks
@@ -42,7 +44,8 @@ from figures_style import plt
 FIGURES = (deformed_shape, stress_on_the_shape, along_the_axis, through_the_thickness,
            across_the_width, section_cuts, load_history, loop, contact_pressure,
            contact_friction, around_the_contact, section_meshes, fields_of_nodes,
-           goals_with_bars, passes_of_a_tolerance, ply_stacks)
+           goals_with_bars, passes_of_a_tolerance, ply_stacks, mode_shapes,
+           harmonic_response)
 
 
 def main():

@@ -99,11 +99,12 @@ class Results:
                      for name, table in self.tables(folder.glob("cuts/*.csv")).items()}
         self.contacts = self.tables(folder.glob("contact_*.csv"), "contact_")
         self.sections = self.tables(folder.glob("sections/*.csv"))
-        (self.history, self.fields, self.goals, self.passes, self.failure,
-         plies_along) = (
+        (self.history, self.fields, self.goals, self.passes, self.failure, self.modes,
+         self.response, plies_along) = (
             Table.read(path) if path.exists() else Table((), ())
             for path in (folder / f"{name}.csv" for name in (
-                "history", "fields", "goals", "passes", "failure", "plies_along")))
+                "history", "fields", "goals", "passes", "failure", "modes", "response",
+                "plies_along")))
         self.plies_along = plies_along.last_step()
         scene = folder / "scene.prm"
         self.scene = read_scene(scene.read_text()) if scene.exists() else {}

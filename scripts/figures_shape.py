@@ -65,9 +65,9 @@ def round_below(most):
 
 
 def deformed_shape(results):
-    """The last load step's bodies; none without their VTU."""
+    """The last load step's bodies; none without their VTU or without displacements."""
     surface = surface_of(results)
-    if surface is None or len(surface) > MOST_FACES:
+    if surface is None or len(surface) > MOST_FACES or not surface.moved.any():
         return
     for number, view in enumerate(views(surface.places, surface.moved)):
         yield "deformed" + ("" if number == 0 else "_from_the_other_side"), draw_view(

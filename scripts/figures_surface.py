@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The outer surface of the bodies from the last step's VTU, for scripts/plot: where it
-was, how it has moved, and the stresses on it."""
+"""The outer surface of the bodies from the last step's VTU, or that of a mode, for
+scripts/plot: where it was, how it has moved, and the stresses on it."""
 
 import struct
 import xml.etree.ElementTree as ElementTree
@@ -61,20 +61,19 @@ def decode(data, offset, kind):
     return np.frombuffer(b"".join(blocks), kind)
 
 
-def last_files(folder):
-    """The VTU of the last load step: one, or a part a process."""
-    collection = folder / "solution.pvd"
-    if not collection.exists():
-        return []
-    names = [entry.get("file") for entry in
-             ElementTree.parse(collection).iter("DataSet")]
-    if not names:
-        return []
-    last = folder / names[-1]
-    if last.suffix == ".pvtu":
-        return [folder / piece.get("Source")
-                for piece in ElementTree.parse(last).iter("Piece")]
-    return [last]
+def datasets(collection):
+    """(time, path) of the files that a PVD file lists; none without the file."""
+    return [(float(entry.get("timestep")), collection.parent / entry.get("file"))
+            for entry in ElementTree.parse(collection).iter("DataSet")
+            ] if collection.exists() else []
+
+
+def parts_of(path):
+    """The VTU files of a dataset: one, or one per process."""
+    if path.suffix == ".pvtu":
+        return [path.parent / piece.get("Source")
+                for piece in ElementTree.parse(path).iter("Piece")]
+    return [path]
 
 
 def blocks(path):
@@ -114,7 +113,8 @@ def faces_of(cells):
 def surface_of(results):
     """Read once for all figures."""
     if not hasattr(results, "surface"):
-        results.surface = outer_surface(last_files(results.folder))
+        last = datasets(results.folder / "solution.pvd")[-1:]
+        results.surface = outer_surface([part for _, path in last for part in parts_of(path)])
     return results.surface
 
 
@@ -192,13 +192,13 @@ def continuous(surface, values):
     return (sums / np.bincount(where.ravel()))[where].reshape(values.shape)
 
 
-def fine_facets(corners):
+def fine_facets(corners, count=FINE):
     """(count, 4, fields), of which the first two are places in the picture: divided
     bilinearly, so often in each direction that no facet is large in the picture."""
     reach = np.linalg.norm(corners[:, :, :2] - np.roll(corners[:, :, :2], -1, axis=1),
                            axis=2)
     reach = np.maximum(reach[:, :2], reach[:, 2:])
-    size = np.sqrt(reach.prod(axis=1).sum() / FINE) or 1.
+    size = np.sqrt(reach.prod(axis=1).sum() / count) or 1.
     steps = np.clip(np.ceil(reach / size), 1, MOST_STEPS).astype(int)
     kinds, kind = np.unique(steps, axis=0, return_inverse=True)
     return np.concatenate([divided(corners[kind.ravel() == k], *pair)

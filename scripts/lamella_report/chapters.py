@@ -5,7 +5,7 @@ import math
 import os
 
 from .folder import value
-from .formats import Written, number, size_of
+from .formats import Written, number, readable, size_of
 from .scene import split, to_number
 
 PLACE = ("x", "y", "z")
@@ -116,6 +116,12 @@ def references(run):
     for name, entries in run.scene.parts("Probe", "Probes"):
         row = next((r for r in run.probes.rows if r.get("probe") == name), {})
         yield from compared(f"Probe {name}", entries, lambda column: row.get(column, ""))
+    modes = {f"{name}-{row['number']}": row["value"] for analysis, name in (
+        ("modes", "mode"), ("buckling", "buckling")) for row in modes_of(run, analysis)}
+    for reference in split(run.scene["Mode references"], "|"):
+        mode, *parts = split(reference, ":")
+        if len(parts) >= 2:
+            yield mode, column_of_mode(mode), modes.get(mode), parts[0], ": ".join(parts[1:])
     for kind, key, force in (("Support", "supports", "reaction"),
                              ("Contact", "contacts", "force")):
         for name, entries in run.scene.parts(kind, f"{kind}s"):
@@ -193,6 +199,51 @@ def governing(plies):
     for row in worst_first(plies):
         first.setdefault(row.get("step"), row)
     return [row for row in plies.rows if any(row is worst for worst in first.values())]
+
+
+# ---- modes, harmonic response
+
+def modes_of(run, analysis):
+    """Rows of modes.csv of the natural ("modes") or the buckling modes ("buckling")."""
+    return [row for row in run.modes.rows if row.get("analysis") == analysis]
+
+
+def column_of_mode(name):
+    return "frequency" if name.startswith("mode-") else "factor"
+
+
+def effective_masses(modes, mass):
+    """Sums of effective masses along x, y and z in per cent of the mass; none without it."""
+    return [number(100. * sum(value(mode, p)**2 for mode in modes) / mass, 100.)
+            for p in ("px", "py", "pz")] if mass else []
+
+
+def moments_of_inertia(inertia):
+    return [row[k] for k, row in enumerate(inertia.get("moments", ()))]
+
+
+def motion_of(mode):
+    """The kind of a mode, with its share of the kinetic energy if that is below 99 %."""
+    kind = mode.get("kind", "")
+    share = value(mode, kind)
+    return f"{kind} ({100. * share:.0f} %)" if share < 0.99 else kind
+
+
+def caption_of_mode(mode, unit):
+    """`3: 6079 Hz, bending about x`."""
+    size = value(mode, "value")
+    return (f"{mode.get('number')}: {readable(size, 4 if size < 1e4 else 5)}{unit}, "
+            f"{mode.get('kind')}")
+
+
+def peaks_of_response(run):
+    """(probe, column, row) where the largest displacement component of each probe is
+    largest."""
+    for probe in dict.fromkeys(cells_of(run.response.rows, "probe")):
+        rows = [row for row in run.response.rows if row.get("probe") == probe]
+        column, row = max(((c, row) for c in ("ux", "uy", "uz") for row in rows),
+                          key=lambda pair: value(pair[1], pair[0]))
+        yield probe, column, row
 
 
 # ---- forces

@@ -21,6 +21,7 @@ FORM = {
     "strength": {"body": str, "criterion": str, "mode": str},
     "first_failure": {"body": str, "criterion": str, "mode": str, "place": list},
     "beyond_linear": {"stiffened": str, "buckled": str},
+    "inertia": {"mass": float, "center": list, "moments": list},
     "interface_jumps": {}, "interface_jumps_of_tractions": {},
     "free_corrections": list, "contact_corrections": list,
 }
@@ -121,8 +122,8 @@ class RunFolder:
         except ValueError as error:
             raise InputError(f"{self.file('scene.prm')}:{error}: {DAMAGED}") from None
         self.probes = self.table("probes").last_step()
-        self.history, self.goals, self.passes, self.plies = map(
-            self.table, ("history", "goals", "passes", "plies"))
+        self.history, self.goals, self.passes, self.plies, self.modes, self.response = map(
+            self.table, ("history", "goals", "passes", "plies", "modes", "response"))
 
     def file(self, name):
         return f"{self.path}/{name}"

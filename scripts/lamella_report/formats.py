@@ -109,15 +109,18 @@ class Units:
         return self.label(kind) or kind
 
     def brackets(self, kind):
-        """`[mm]`; also of a moment, of EI, of an area, of a density, and of a load on a "surface",
-        along a "line" or at a "point". Without units `[length]`, `[force length]`."""
-        if kind == "density":
-            return {"m": "[kg/m³]", "mm": "[t/mm³]"}.get(
-                self.label("length"), "[force s²/length⁴]")
+        """`[mm]`; also of a moment, of EI, of an area, of a density, a "mass" and a moment of
+        "inertia", and of a load on a "surface", along a "line" or at a "point". Without units
+        `[length]`, `[force length]`."""
         force, length = self.named("force"), self.named("length")
+        mass = {"m": "kg", "mm": "t"}.get(length)
         unit = {"moment": f"{force} {length}", "bending": f"{force} {length}²",
                 "surface": f"{force}/{length}²", "line": f"{force}/{length}",
-                "area": f"{length}²", "point": force}.get(kind) or self.named(kind)
+                "area": f"{length}²", "point": force,
+                "mass": mass or "force s²/length",
+                "inertia": f"{mass} {length}²" if mass else "force length s²",
+                "density": f"{mass}/{length}³" if mass else "force s²/length⁴",
+                }.get(kind) or self.named(kind)
         return f"[{unit}]"
 
     def behind(self, kind):
@@ -127,7 +130,9 @@ class Units:
 
     def of_column(self, name):
         """In brackets the unit of a column of a table, or of a resultant: of `uz`, `sxy`,
-        `fz`, `mx`, `x`, `pressure`, `width`. Empty where there is none."""
+        `fz`, `mx`, `x`, `pressure`, `width`, `frequency`. Empty where there is none."""
+        if name == "frequency":
+            return "[Hz]"
         kind = {"pressure": "stress", "width": "length", "dissipated": "moment"}.get(name)
         if kind is None and 0 < len(name) <= 3:
             kind = {"u": "length", "x": "length", "y": "length", "z": "length",

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from . import chapters, formats, pictures, scene
 from .folder import content_of, value
 
-# In their order; the template of each has its words.
+# In their order; the template of each has its words, or none if the chapter is to be left out.
 CHAPTERS = {
     "glance": "At a glance",
     "warnings": "Warnings",
@@ -20,6 +20,9 @@ CHAPTERS = {
     "numbers": "Numbers, with their error bars",
     "contact": "Contact",
     "strength": "Reserve factors of the plies",
+    "modes": "Natural modes",
+    "buckling": "Buckling modes",
+    "response": "Harmonic response",
     "forces": "Loads, supports and reactions",
     "checks": "Checks",
     "costs": "Size, time and memory",
@@ -82,5 +85,6 @@ def page(run, program, why_no_pictures=""):
     title = run.summary.get("title") or os.path.basename(run.path)
     text = env.get_template("page.html").render(
         context, title=title,
-        chapters=[(name, heading, html[name]) for name, heading in CHAPTERS.items()])
+        chapters=[(name, heading, html[name]) for name, heading in CHAPTERS.items()
+                           if html[name].strip()])
     return UNSHOWN.sub("\ufffd", text)
