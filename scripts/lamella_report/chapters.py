@@ -229,11 +229,12 @@ def motion_of(mode):
     return f"{kind} ({100. * share:.0f} %)" if share < 0.99 else kind
 
 
-def caption_of_mode(mode, unit):
-    """`3: 6079 Hz, bending about x`."""
+def caption_of_mode(mode):
+    """`3: 6079 Hz, bending about x` or `1: factor 2.59, bending about x`."""
     size = value(mode, "value")
-    return (f"{mode.get('number')}: {readable(size, 4 if size < 1e4 else 5)}{unit}, "
-            f"{mode.get('kind')}")
+    text = readable(size, 4 if size < 1e4 else 5)
+    text = f"{text} Hz" if mode.get("analysis") == "modes" else f"factor {text}"
+    return f"{mode.get('number')}: {text}, {mode.get('kind')}"
 
 
 def peaks_of_response(run):

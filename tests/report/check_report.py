@@ -16,6 +16,7 @@ message, and nothing of it is left; so is the want of Jinja2.
 import base64
 import csv
 import json
+import math
 import os
 import re
 import shutil
@@ -26,6 +27,7 @@ from pathlib import Path
 
 CHAPTERS = ("glance", "warnings", "scene", "sections", "shape", "numbers", "contact",
             "strength", "forces", "checks", "costs", "files", "again")
+OF_MODES = ("modes", "buckling")
 VOID = {"meta", "img"}
 # What a page needs to be one; anything else is a decision.
 ALLOWED = {"html", "head", "meta", "title", "style", "body", "main", "header", "nav",
@@ -126,7 +128,7 @@ def numbers(row, *columns):
     return [float(row[column]) for column in columns if row[column]]
 
 
-def check_form(page):
+def check_form(page, chapters=CHAPTERS + OF_MODES):
     expect(not page.open and not page.unbalanced, "every tag is closed in its turn")
     expect(page.tags <= ALLOWED, f"no other tags {sorted(page.tags - ALLOWED)}")
     outside = [link[:60] for link in page.links
@@ -136,9 +138,9 @@ def check_form(page):
     inner = [link[1:] for link in page.links if link.startswith("#")]
     expect(set(inner) <= set(page.ids), "links within the page lead somewhere")
     expect(len(page.ids) == len(set(page.ids)), "no name stands twice")
-    expect(set(CHAPTERS) <= set(page.ids) and set(CHAPTERS) <= set(inner),
+    expect(set(inner) >= set(chapters) == set(page.text) - {None, "contents"},
            "all chapters are there and in the contents")
-    expect(all(page.text[c].strip() for c in CHAPTERS), "none of them is empty")
+    expect(all(page.text[c].strip() for c in chapters), "none of them is empty")
 
 
 def check_shown(page):
@@ -193,6 +195,39 @@ def check_numbers(page, output):
     checks = [row[1][1][0][0] for row in page.tables["checks"][1:5]]
     expect([float(c) for c in checks] == [summary[k] for k in (
         "force_balance", "residual", "energy_balance", "max_rotation")], "checks")
+
+
+def are_close(found, wanted):
+    """Whether two tables of numbers agree to the digits of a CSV file; 1e-9 is rounding."""
+    return len(found) == len(wanted) and all(len(a) == len(b) and all(
+        math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-9) for x, y in zip(a, b))
+        for a, b in zip(found, wanted))
+
+
+def check_modes(page, output):
+    """The table is made of modes.csv; the numbers of summary.json are the same."""
+    summary = json.loads((output / "summary.json").read_text())
+    modes, factors = summary["modes"], summary["buckling_modes"]
+    masses = [[100. * c / summary["inertia"]["mass"] for c in m["effective_mass"][:3]]
+              for m in modes]
+    expect(len(modes) == 3 and are_close(page.values("mode-values"), [
+        [m["number"], m["frequency"], *mass] for m, mass in zip(modes, masses)] + [
+        [sum(column) for column in zip(*masses)]]), "frequencies and effective masses")
+    expect(len(factors) == 3 and are_close(page.values("buckling-values"), [
+        [f["number"], f["factor"]] for f in factors]), "buckling factors")
+    # 4 x 40 x 1.5 of density 1.6e-9, clamped.
+    mass, center, _, rigid = page.values("inertia")
+    expect(are_close([[mass[0] / 1.6e-9], center, rigid],
+                     [[240.], [2., 20., 0.75], [0.]]), f"mass {mass}, center {center}")
+    reference, = [row for row in page.tables["references"] if "mode-1" in row[0][0]]
+    expect(are_close([[float(value) for _, data in reference for value, _ in data]],
+                     [[modes[0]["frequency"], 2600.]]), "a reference of a mode")
+    if (output / "pictures").exists():
+        expect(all(f"{m['number']}: {m['frequency']:.0f} Hz, "
+                   f"{m['kind']} pictures/mode_{m['number']:04}.png" in page.text["modes"]
+                   for m in modes) and all(
+            f"{f['kind']} pictures/buckling_{f['number']:04}.png" in page.text["buckling"]
+            for f in factors), "a picture of each mode with its caption")
 
 
 def check_forces(page):
@@ -257,16 +292,17 @@ def check_without_tables(program, output, other):
     shutil.copytree(output, other)
     for name in ("goals.csv", "plies.csv", "probes.csv", "contact_landing.csv",
                  "sections/strip.csv", "sections/strip.json", "solution.pvd",
-                 "history.csv"):
+                 "history.csv", "modes.csv", "mode.pvd", "buckling.pvd"):
         (other / name).unlink()
     summary = json.loads((other / "summary.json").read_text())
     summary["contacts"] = {}
+    del summary["inertia"], summary["rigid_modes"]
     summary["load_steps"], summary["converged"] = 1, False
     (other / "summary.json").write_text(json.dumps(summary))
     done = make(program, other)
     expect(done.returncode == 0, f"a report without tables {done.stderr}")
     page = Page((other / "report.html").read_text())
-    check_form(page)
+    check_form(page, CHAPTERS)
     for chapter, words in (("numbers", "names no goals"), ("contact", "has no contact"),
                            ("strength", "No failure criterion was asked for"),
                            ("shape", "no picture of the deformed bodies"),
@@ -348,6 +384,7 @@ def main():
     check_form(page)
     check_shown(page)
     check_numbers(page, output)
+    check_modes(page, output)
     check_forces(page)
     check_words(page, output)
     check_files(page, output)

@@ -123,7 +123,7 @@ class Run:
             for cell, (ply, low, high, left) in enumerate(cells)
             for i in range(3) for j in range(3)))
 
-    def bodies(self, cells, moved, stress=None, name="solution"):
+    def bodies(self, cells, moved, stress=None, dataset="solution"):
         """The VTU of cells of 2 x 2 x 2 points, a body's number and its points each, x
         fastest; moved(point) is the displacement, stress(number of the cell, point)
         gives its ply and its six stresses."""
@@ -141,16 +141,16 @@ class Run:
             for c, name in enumerate(STRESSES):
                 arrays[name] = ("Float32", "f", [values[c] for _, values in found])
         text, data = "", b""
-        for array, (kind, form, values) in arrays.items():
-            text += f'<DataArray type="{kind}" Name="{array}" offset="{len(data)}"/>'
+        for name, (kind, form, values) in arrays.items():
+            text += f'<DataArray type="{kind}" Name="{name}" offset="{len(data)}"/>'
             data += packed(values, form)
-        (self.folder / f"{name}_0001.vtu").write_bytes(
+        (self.folder / f"{dataset}_0001.vtu").write_bytes(
             f'<VTKFile><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
             f'NumberOfCells="{len(cells)}">{text}</Piece></UnstructuredGrid>'
             '<AppendedData encoding="raw">\n_'.encode() + data
             + b"\n</AppendedData></VTKFile>")
-        (self.folder / f"{name}.pvd").write_text(
-            f'<VTKFile><Collection><DataSet timestep="1" file="{name}_0001.vtu"/>'
+        (self.folder / f"{dataset}.pvd").write_text(
+            f'<VTKFile><Collection><DataSet timestep="1" file="{dataset}_0001.vtu"/>'
             "</Collection></VTKFile>")
         return self
 
