@@ -387,6 +387,98 @@ def check_friction(figures, folder):
     check("dissipated on the way: 7.5 N mm" in texts, f"{name}: {texts}")
 
 
+# ---- modes and harmonic response
+
+
+def check_modes(figures, folder):
+    """A bar of 4 x 100 x 3, drawn as 20 x 100 x 15: the tip, which goes down, is drawn 8
+    upwards, 0.4 times the width drawn."""
+    np = figures.stress.np
+    run = Run(folder).bodies(bar(), lambda p: (0., 0., -0.3 * (p[1] / 100.) ** 2),
+                             dataset="mode")
+    (name, figure), = figures.modes.mode_shapes(figures.data.Results(folder))
+    check(name == "mode_0001" and "x 5 times, z 5 times" in figure._supxlabel.get_text(),
+          f"one picture: {name}, {figure._supxlabel.get_text()}")
+    axis, = figure.axes
+    outline, = [part for part in axis.collections if part.get_linestyle()[0][1]]
+    before = np.concatenate([path.vertices for path in outline.get_paths()])
+    drawn = np.array(drawn_places(axis))
+    for x, z in ((0., 0.), (20., 0.), (0., 15.), (20., 15.)):
+        for y, up in ((0., 0.), (100., 8.)):
+            place = np.array([math.sqrt(0.75) * (x + y), z + 0.5 * (y - x)])
+            apart = [float(np.linalg.norm(where - at, axis=1).min()) for where, at in (
+                (before, place), (drawn, place + [0., up]))]
+            check(max(apart) < 1e-3, f"corner {x, y, z} before and drawn, to {apart}")
+    inside = [np.ptp(axis.get_xlim()) > np.ptp(drawn[:, 0]),
+              axis.get_ylim()[1] > drawn[:, 1].max()]
+    check(all(inside) and not outside(figure), "nothing is cut off")
+    (folder / "buckling.pvd").write_text("<VTKFile><Collection>" + "".join(
+        f'<DataSet timestep="{k}" file="mode_0001.vtu"/>' for k in range(1, 15))
+        + "</Collection></VTKFile>")
+    names = [name for name, _ in figures.modes.mode_shapes(figures.data.Results(folder))]
+    check(names == ["mode_0001"] + [f"buckling_{k:04}" for k in range(1, 13)],
+          f"twelve of each at most: {names}")
+
+
+def oscillator(frequency, of=100., damping=0.05):
+    """Amplitude and phase [degrees] of a mass on a spring and a damper, for a static
+    displacement of 1 mm."""
+    r = frequency / of
+    found = 1. / complex(1. - r * r, 2. * damping * r)
+    return abs(found), math.degrees(math.atan2(found.imag, found.real))
+
+
+def check_response(figures, folder):
+    """Seven probes, the sizes of which differ; the first one is between two plies, and
+    the second one is 120 degrees behind, so that its angle passes -180 degrees."""
+    columns = ["frequency", "probe", "ply"] + [
+        f"{c}{rest}" for c in ("ux", "uy", "uz") for rest in ("", " phase")]
+    run = Run(folder)
+    run.write("modes.csv", ["analysis", "number", "value"], [
+        dict(zip(("analysis", "number", "value"), row)) for row in (
+            ("modes", 1, 30.), ("modes", 2, 100.), ("modes", 3, 101.), ("modes", 4, 170.),
+            ("modes", 5, 210.), ("buckling", 1, 60.))])
+    rows, peak = [], 100. * math.sqrt(1. - 2. * 0.05**2)
+    for frequency in sorted([*range(40, 201, 5), peak]):
+        amplitude, phase = oscillator(frequency)
+        for k, ply in ((0, 1), (0, 2), *((k, 1) for k in range(1, 7))):
+            rows.append({"frequency": frequency, "probe": f"p{k}", "ply": ply,
+                         "ux": 0.5 * amplitude / (k + 1), "ux phase": 17.,
+                         "uz": amplitude / (k + 1),
+                         "uz phase": phase if k != 1 else (phase + 60.) % 360. - 180.})
+    run.write("response.csv", columns, rows)
+    (name, figure), = figures.modes.harmonic_response(figures.data.Results(folder))
+    above, below = figure.axes
+    check(name == "response" and above.get_yscale() == "log"
+          and above.get_ylabel() == "amplitude [mm]" and below.get_ylabel() == "phase [°]",
+          "amplitudes on a logarithmic axis, phases below")
+    curves = {line.get_label(): line for line in above.lines if len(line.get_xdata()) > 2}
+    check(list(curves) == [f"$u_z$ of p{k}" for k in range(6)],
+          f"the largest component of the six largest: {list(curves)}")
+    wanted = 1. / (2. * 0.05 * math.sqrt(1. - 0.05**2))
+    for k, line in enumerate(curves.values()):
+        x, y = line.get_data()
+        at = int(y.argmax())
+        check(len(x) == 34 and abs(x[at] - peak) < 1e-9
+              and abs(y[at] * (k + 1) / wanted - 1.) < 1e-12, f"resonance of p{k}: {y[at]}")
+    phases = [line.get_data() for line in below.lines if len(line.get_xdata()) > 2]
+    np = figures.stress.np
+    for k, (x, y) in enumerate(phases):
+        check(abs(y[x == 100.][0] - (150. if k == 1 else -90.)) < 1e-9,
+              f"the angle of p{k} at the natural frequency: {y[x == 100.]}")
+        check(np.isnan(y).sum() == (k == 1) and not (np.abs(np.diff(y)) > 180.).any(),
+              "no line where it passes 180 degrees")
+    for axis in figure.axes:
+        lines = [line.get_xdata()[0] for line in axis.lines if line.get_linestyle() == "--"
+                 and len(line.get_xdata()) == 2]
+        check(lines == [100., 101., 170.], f"natural frequencies in the range: {lines}")
+    texts = [text.get_text() for text in above.texts]
+    check(texts == ["2–3", "4"], f"numbers of modes, of close ones together: {texts}")
+    run.write("response.csv", columns, [])
+    check(not list(figures.modes.harmonic_response(figures.data.Results(folder))),
+          "none without rows")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("Usage: check_pictures_of_runs.py FIGURES.py WORKDIR")
@@ -399,7 +491,7 @@ def main():
     figures, folder = Figures(Path(sys.argv[1])), Path(sys.argv[2])
     warnings.simplefilter("error")
     for part in (check_history, check_friction, check_proportions, check_scales, check_stress,
-                 check_strength, check_console):
+                 check_strength, check_console, check_modes, check_response):
         part(figures, folder)
         figures.style.plt.close("all")
 
