@@ -8,6 +8,7 @@ Usage: check_pieces.py
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -86,12 +87,13 @@ class Numbers(unittest.TestCase):
                 ("length", "[mm]", "[length]"), ("moment", "[N mm]", "[force length]"),
                 ("bending", "[N mm²]", "[force length²]"), ("point", "[N]", "[force]"),
                 ("line", "[N/mm]", "[force/length]"), ("surface", "[N/mm²]", "[force/length²]"),
-                ("density", "[t/mm³]", "[force s²/length⁴]"), ("stress", "[MPa]", "[stress]")):
+                ("density", "[t/mm³]", "[force s²/length⁴]"), ("mass", "[t]", "[force s²/length]"),
+                ("inertia", "[t mm²]", "[force length s²]"), ("stress", "[MPa]", "[stress]")):
             self.assertEqual(units.brackets(kind), unit)
             self.assertEqual(none.brackets(kind), without)
         self.assertEqual([units.of_column(c) for c in (
-            "uz", "sxy", "fz", "mx", "x", "pressure", "width", "step", "")],
-            ["[mm]", "[MPa]", "[N]", "[N mm]", "[mm]", "[MPa]", "[mm]", "", ""])
+            "uz", "sxy", "fz", "mx", "x", "pressure", "width", "frequency", "step", "")],
+            ["[mm]", "[MPa]", "[N]", "[N mm]", "[mm]", "[MPa]", "[mm]", "[Hz]", "", ""])
         self.assertEqual((units.behind("length"), none.behind("length")), ("&nbsp;mm", ""))
 
 
@@ -191,6 +193,44 @@ class Pages(InFolder):
                 self.run_folder(summary)
         with self.assertRaisesRegex(InputError, "scene.prm:2: it is not what a run writes"):
             self.run_folder(text="set Title = A\nsubsection")
+
+    def test_modes(self):
+        self.write("modes.csv", "analysis,number,value,bar,kind,body,px,py,pz,torsion,width\n"
+                   "modes,1,123.456,0.5,torsion,beam,1,0,-1.5,0.875,0.125\n"
+                   "modes,2,23456.7,,width,beam,0,1e-12,0.5,0.005,0.995\n"
+                   "buckling,1,2.5,,torsion,<arm>,0,0,0,1,0\n")
+        os.mkdir(self.folder / "pictures")
+        for name in ("mode_0001", "mode_0002", "buckling_0001"):
+            self.write(f"pictures/{name}.png", name)
+        text = page(self.run_folder(
+            '{"rigid_modes": 1, "inertia": {"mass": 4.0}}',
+            "set Mode references = mode-1: 123: a book | buckling-1: 2.4: Euler\n"), PROGRAM)
+        cells = re.sub("</?(data|td|i|sub)[^>]*>", "|", text)
+        cells = re.sub(r"\|+", "|", cells)
+        for row in ("|1|123.46|0.5|torsion (88 %)|beam|25|0|56.25|",
+                    "|2|23457|–|width|beam|0|0|6.25|", "|sum|25|0|62.5|",
+                    "|1|2.5|torsion|&lt;arm&gt;|", "mode-1: frequency [Hz]|123.46|123|0.371|a book|",
+                    "buckling-1: factor|2.5|2.4|4.17|Euler|", "lowest natural frequency|123.46| Hz",
+                    "1: 123.5 Hz, torsion ", "2: 23457 Hz, width ", "1: factor 2.5, torsion "):
+            self.assertIn(row, cells)
+        self.assertNotIn("Harmonic response", text)
+
+    def test_harmonic_response(self):
+        """A mass on a spring, 2 mm at rest: the largest amplitude is 2 / (2 D sqrt(1 - D^2))."""
+        damping, rows = 0.25, ["frequency,probe,ply,ux,ux phase,uz,uz phase"]
+        peak = 10. * math.sqrt(1. - 2. * damping**2)
+        for frequency in (5., 9., peak, 9.7, 10., 20.):
+            r = frequency / 10.
+            u = 2. / complex(1. - r**2, 2. * damping * r)
+            angle = math.degrees(math.atan2(u.imag, u.real))
+            for ply in (1, 2):
+                rows.append(f"{frequency},tip,{ply},0.5,0,{abs(u)},{angle}")
+        self.write("response.csv", "\n".join(rows) + "\n")
+        run = self.run_folder()
+        (probe, column, row), = chapters.peaks_of_response(run)
+        self.assertEqual((probe, column, value(row, "frequency")), ("tip", "uz", peak))
+        self.assertAlmostEqual(value(row, "uz"), 1. / (damping * math.sqrt(1. - damping**2)))
+        self.assertIn(f'<data value="{row["uz phase"]}">', page(run, PROGRAM))
 
     def test_pictures_that_nobody_knows(self):
         run = self.run_folder()
