@@ -126,7 +126,7 @@ def without_jumps(frequency, phase):
 def mark_modes(results, amplitudes, phases):
     """Draws dashed lines at the natural frequencies within the range, with the numbers of
     the modes; close ones share a label."""
-    if "analysis" not in results.modes:
+    if not len(results.modes):
         return
     low, high = amplitudes.dataLim.intervalx
     modes = results.modes.where((results.modes["analysis"] == "modes")

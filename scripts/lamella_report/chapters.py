@@ -214,7 +214,7 @@ def column_of_mode(name):
 
 def effective_masses(modes, mass):
     """Sums of effective masses along x, y and z in per cent of the mass; none without it."""
-    return [number(100. * sum(value(mode, p)**2 for mode in modes) / mass, 100.)
+    return [number(100. * sum(value(mode, p)**2 for mode in modes) / mass, 100., 3)
             for p in ("px", "py", "pz")] if mass else []
 
 
