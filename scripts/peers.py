@@ -51,6 +51,9 @@ class Run:
     plies: dict = field(default_factory=dict)
     supports: dict = field(default_factory=dict)
     contacts: dict = field(default_factory=dict)
+    #: Natural frequencies [Hz] without rigid motions and buckling factors, ascending.
+    modes: list = field(default_factory=list)
+    buckling_modes: list = field(default_factory=list)
     #: What the scene gives: (quantity, value, source) by probe.
     references: dict = field(default_factory=dict)
 
@@ -114,6 +117,8 @@ def lamella_run(scene, overrides, folder=None):
                         for name, support in summary["supports"].items()}
         run.contacts = {name: contact["force"]
                         for name, contact in summary["contacts"].items()}
+        run.modes = [mode["frequency"] for mode in summary.get("modes", [])]
+        run.buckling_modes = [mode["factor"] for mode in summary.get("buckling_modes", [])]
         with open(folder / "lamella/probes.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         for row in rows:
@@ -145,7 +150,7 @@ def read_dat(path):
     title = re.compile(r"^ *(displacements|stresses|total|statistics|contact)\b.*?"
                        r"(?:(?:for|slave) set (\w+).*)?\band time +(\S+)$")
     tables, rows = {}, None
-    for line in path.read_text().splitlines():
+    for line in MODES.split(path.read_text())[0].splitlines():
         found = title.match(line)
         if found:
             rows = []
@@ -157,6 +162,34 @@ def read_dat(path):
             except ValueError:  # headings within a table
                 pass
     return tables
+
+
+# Tables of modes begin so; displacements after them are those of modes.
+MODES = re.compile(r"^ *(E I G E N V A L U E   O U T P U T|B U C K L I N G)", re.MULTILINE)
+
+
+def read_modes(path, rigid):
+    """Frequencies [Hz] of the modes after the rigid ones, and positive buckling factors."""
+    values = {"E I G E N V A L U E   O U T P U T": [], "B U C K L I N G": []}
+    pieces = MODES.split(path.read_text())
+    for kind, text in zip(pieces[1::2], pieces[2::2]):
+        rows = re.search(r"(?:^ *\d+(?: +[-+.\dE]+)+ *\n)+", text, re.MULTILINE)
+        for n, *row in map(str.split, rows[0].splitlines() if rows else []):
+            if len(row) == 1:
+                values[kind] += [number(row[0])] if number(row[0]) > 0. else []
+            elif int(n) > rigid:
+                values[kind].append(number(row[2]))
+    return values.values()
+
+
+def modes_missing(run, meaning):
+    """In words, if a range may have more modes than the deck asks for, or one has fewer."""
+    most, n = meaning.get("modes", 0), len(run.modes)
+    if n < most and not meaning["has_range"]:
+        return f"CalculiX found {n} of {most} natural modes."
+    if n >= most > 0 and meaning["has_range"]:
+        return f"The range has more than {most - 1} modes. Use a smaller range in Modes."
+    return ""
 
 
 def shape_functions(natural, n_nodes):
@@ -218,7 +251,7 @@ def what_went_wrong(folder, done, n_steps):
                 f"{len(steps)} increments). Try another --contact-stiffness or mesh.")
     tables = read_dat(folder / "deck.dat") if (folder / "deck.dat").exists() else {}
     times = [time for time, _ in tables.values()]
-    if not times or min(times) < n_steps - 1e-4:
+    if n_steps and (not times or min(times) < n_steps - 1e-4):
         return (f"CalculiX stopped before the end of step {n_steps}. Try another "
                 "--contact-stiffness or mesh.")
     return ""
@@ -235,7 +268,7 @@ def contact_that_pulls(tables):
     return ""
 
 
-def read_results(run, folder, meaning):
+def read_static(run, folder, meaning):
     tables = read_dat(folder / "deck.dat")
     displacements, stresses = {}, {}
     for row in tables.get(("displacements", "PROBES"), (0, []))[1]:
@@ -260,6 +293,14 @@ def read_results(run, folder, meaning):
         sign = 1. if contact["slave_is_second"] else -1.
         run.contacts[name] = [sign * force for force in table[0][:3]]
     run.failure = contact_that_pulls(tables)
+
+
+def read_results(run, folder, meaning):
+    if meaning["steps"]:
+        read_static(run, folder, meaning)
+    run.modes, run.buckling_modes = read_modes(folder / "deck.dat",
+                                               meaning.get("rigid_modes", 0))
+    run.failure = run.failure or modes_missing(run, meaning)
 
 
 def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=None):
@@ -297,6 +338,8 @@ def peer_run(scene, overrides, element="C3D20R", contact_stiffness=None, folder=
 # ---- side by side
 
 def table(header, rows):
+    if not rows:
+        return
     rows = [[str(cell) for cell in row] for row in [header, *rows]]
     widths = [max(len(row[c]) for row in rows) for c in range(len(header))]
     rows.insert(1, ["-" * width for width in widths])
@@ -322,9 +365,9 @@ def quantities_of(values, references):
 def print_probes(ours, theirs):
     rows = []
     for probe, plies in ours.plies.items():
-        references = theirs.references[probe]
+        references = theirs.references.get(probe)
         for ply, values in plies.items():
-            if ply not in theirs.plies[probe]:
+            if ply not in theirs.plies.get(probe, ()):
                 continue
             where = f"{probe}, ply {ply}" if len(plies) > 1 else probe
             for name in quantities_of(values, references):
@@ -345,13 +388,22 @@ def print_resultants(ours, theirs):
     largest = max((abs(f) for _, first, _ in both for force in first.values()
                    for f in force), default=0.)
     for kind, first, second in both:
-        for name in first:
+        for name in filter(second.__contains__, first):
             for c, force in enumerate(FORCES):
                 a, b = first[name][c], second[name][c]
                 if max(abs(a), abs(b)) > 1e-6 * largest:
                     rows.append([f"{kind} {name}", force, f"{a:.6g}", f"{b:.6g}",
                                  percent(a, b)])
     table(["resultant", "", ours.program, theirs.program, "difference"], rows)
+
+
+def print_modes(ours, theirs):
+    rows = [[f"{kind}{n}", f"{a:.6g}", f"{b:.6g}", percent(a, b)]
+            for kind, first, second in (
+                ("mode-", ours.modes, theirs.modes),
+                ("buckling-", ours.buckling_modes, theirs.buckling_modes))
+            for n, (a, b) in enumerate(zip(first, second), 1)]
+    table(["mode", ours.program, theirs.program, "difference"], rows)
 
 
 def print_costs(runs):
@@ -393,6 +445,7 @@ def main():
         runs.append(pair)
     print_probes(*runs[-1])
     print_resultants(*runs[-1])
+    print_modes(*runs[-1])
     print_costs(runs)
     return 0
 

@@ -28,9 +28,13 @@ namespace lamella
 
 
 
-    /// What holds bodies by contact alone CalculiX has no counterpart of.
-    void
-    check_bodies_are_held(const Scene &scene, const CalculixMesh &mesh)
+    /// Returns the number of rigid motions that supports leave free. Throws
+    /// InputError for one in a static step, and for bodies that an isostatic
+    /// support or Stabilization constrains.
+    unsigned int
+    count_free_motions(const Scene        &scene,
+                       const CalculixMesh &mesh,
+                       const bool          has_static_steps)
     {
       for (const BodyDescription &body : scene.bodies)
         if (body.is_held)
@@ -47,15 +51,19 @@ namespace lamella
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
+      unsigned int n = 0;
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
         for (const FreeMotion &motion :
              free_rigid_motions(*mesh.bodies()[body], body, rows))
-          throw InputError(
-            "Body " + scene.bodies[body].name,
-            "",
-            "export.unconstrained-motion: only contact prevents the " +
-              motion.words + ", so the stiffness of CalculiX would be singular",
-            "Constrain this motion by a Support.");
+          if (++n; has_static_steps)
+            throw InputError(
+              "Body " + scene.bodies[body].name,
+              "",
+              "export.unconstrained-motion: only contact prevents the " +
+                motion.words +
+                ", so the stiffness of CalculiX would be singular",
+              "Constrain this motion by a Support.");
+      return n;
     }
   } // namespace
 
@@ -135,7 +143,12 @@ namespace lamella
     check_no_volume_loads(scene);
     for (unsigned int s = 0; s < scene.supports.size(); ++s)
       add_support(s, mesh);
-    check_bodies_are_held(scene, mesh);
+    has_statics =
+      !scene.find.modes || !scene.loads.empty() || !scene.contacts.empty() ||
+      std::any_of(values.begin(), values.end(), [](const auto &prescribed) {
+        return prescribed.second != 0.;
+      });
+    n_free_motions = count_free_motions(scene, mesh, has_statics);
 
     std::vector<Load> loads = scene.loads;
     check_loads_are_dead(scene);

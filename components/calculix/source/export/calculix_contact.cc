@@ -259,8 +259,8 @@ namespace lamella
     // All nodes are prescribed: any material will do.
     deck << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
          << calculix_number(scene.materials.begin()->second.elastic.E1)
-         << ", 0.3\n*SOLID SECTION, ELSET=" << name << ", MATERIAL=" << name
-         << '\n';
+         << ", 0.3\n*DENSITY\n1.\n*SOLID SECTION, ELSET=" << name
+         << ", MATERIAL=" << name << '\n';
   }
 
 

@@ -57,6 +57,19 @@ namespace lamella
       write_output_sets(std::ostream &deck) const;
       void
       write_output(std::ostream &deck) const;
+      void
+      write_static_steps(std::ostream &deck) const;
+      /// Writes the steps of natural modes, about the state after the static
+      /// steps if there are any, and of buckling modes.
+      void
+      write_mode_steps(std::ostream &deck) const;
+      /// Returns the number of elastic modes to compute: CalculiX needs one for
+      /// a range, too.
+      unsigned int
+      n_modes() const
+      {
+        return scene.find.modes->range ? 50 : scene.find.modes->number;
+      }
       bool
       is_large() const
       {
@@ -72,6 +85,20 @@ namespace lamella
       Json
       meaning_of_contacts() const;
     };
+
+
+
+    /// Throws InputError for buckling modes with contact.
+    void
+    check_buckling(const Scene &scene)
+    {
+      if (scene.find.n_buckling_modes > 0 && !scene.contacts.empty())
+        throw InputError("Find",
+                         "buckling",
+                         "export.buckling-with-contact: CalculiX has no closed "
+                         "contacts in a buckling step",
+                         "Remove buckling from Find, or Contacts.");
+    }
 
 
 
@@ -99,6 +126,7 @@ namespace lamella
       , contacts(scene, mesh, contact_stiffness)
     {
       check_histories(scene);
+      check_buckling(scene);
       for (const Probe &probe : scene.probes)
         {
           probes.push_back({&probe,
@@ -166,6 +194,16 @@ namespace lamella
       conditions.write_sets(deck);
       contacts.write_model(deck);
       write_output_sets(deck);
+      if (conditions.has_static_steps())
+        write_static_steps(deck);
+      write_mode_steps(deck);
+    }
+
+
+
+    void
+    Deck::write_static_steps(std::ostream &deck) const
+    {
       const auto &factors = scene.solve.load_factors;
       // CalculiX makes them shorter where it has to.
       const double first_increment =
@@ -180,6 +218,36 @@ namespace lamella
           contacts.write_step(deck, factors[step].of_scene());
           write_output(deck);
           deck << "*END STEP\n";
+        }
+    }
+
+
+
+    void
+    Deck::write_mode_steps(std::ostream &deck) const
+    {
+      const FindRequest &find = scene.find;
+      if (find.modes)
+        {
+          const bool is_stressed = conditions.has_static_steps();
+          deck << "** natural modes\n*STEP"
+               << (is_stressed ? ", PERTURBATION" : "") << "\n*FREQUENCY\n"
+               << n_modes() + conditions.n_rigid_motions();
+          if (find.modes->range)
+            deck << ", " << calculix_number(find.modes->range->first) << ", "
+                 << calculix_number(find.modes->range->second);
+          deck << '\n';
+          if (!is_stressed)
+            conditions.write_step(deck, 0.);
+          deck << "*NODE FILE\nU\n*END STEP\n";
+        }
+      if (find.n_buckling_modes > 0)
+        {
+          deck << "** buckling modes\n*STEP\n*BUCKLE\n"
+               << find.n_buckling_modes << '\n';
+          conditions.write_step(deck,
+                                scene.solve.load_factors.back().of_scene());
+          deck << "*NODE FILE\nU\n*END STEP\n";
         }
     }
 
@@ -293,8 +361,17 @@ namespace lamella
             {"elements", element_ - element}};
         }
       json["steps"] = Json::array();
-      for (const LoadFactor &factor : scene.solve.load_factors)
-        json["steps"].push_back(factor.of_scene());
+      if (conditions.has_static_steps())
+        for (const LoadFactor &factor : scene.solve.load_factors)
+          json["steps"].push_back(factor.of_scene());
+      if (scene.find.modes)
+        {
+          json["rigid_modes"] = conditions.n_rigid_motions();
+          json["modes"]       = n_modes();
+          json["has_range"]   = scene.find.modes->range.has_value();
+        }
+      if (scene.find.n_buckling_modes > 0)
+        json["buckling_modes"] = scene.find.n_buckling_modes;
       json["supports"] = meaning_of_supports();
       json["contacts"] = meaning_of_contacts();
       json["probes"]   = Json::object();

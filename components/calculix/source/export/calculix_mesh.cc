@@ -411,6 +411,8 @@ namespace lamella
             first.insert(first.size() - 1, ",");
             deck << first << numbers_line({m.G23});
           }
+        if (material.density)
+          deck << "*DENSITY\n" << numbers_line({*material.density});
       }
   }
 
@@ -418,26 +420,54 @@ namespace lamella
 
   namespace
   {
-    /// Writes the axes of @p ply for @p set; the body has axes @p of_body.
-    void
-    write_orientation(std::ostream      &deck,
-                      const std::string &set,
-                      const Ply         &ply,
-                      const Triad       &of_body)
+    /// Returns the line of the axes 1 and 2 of @p ply in the scene at the point
+    /// @p x in @p body.
+    std::string
+    axes_line(const Ply &ply, const Placement &body, const Point<3> &x)
     {
-      // The ply's axes 1 and 2 in the scene.
-      const Triad axes = ply.axes(Point<2>()) * of_body;
-      deck << "** fiber at " << to_text(ply.angle)
-           << " degrees\n*ORIENTATION, NAME=" << set
-           << "_AXES, SYSTEM=RECTANGULAR\n"
-           << numbers_line({axes[0][0],
-                            axes[0][1],
-                            axes[0][2],
-                            axes[1][0],
-                            axes[1][1],
-                            axes[1][2]});
+      const Triad axes = ply.axes(Point<2>(x[0], x[2])) * body.axes;
+      return numbers_line({axes[0][0],
+                           axes[0][1],
+                           axes[0][2],
+                           axes[1][0],
+                           axes[1][1],
+                           axes[1][2]});
     }
   } // namespace
+
+
+
+  void
+  CalculixMesh::write_orientation(std::ostream      &deck,
+                                  const std::string &set,
+                                  const unsigned int body,
+                                  const unsigned int index) const
+  {
+    const Placement  &placement = scene.bodies[body].placement;
+    const Ply        &ply       = solids[body]->plies()[index];
+    const std::string head =
+      "*ORIENTATION, NAME=" + set + "_AXES, SYSTEM=RECTANGULAR\n";
+    deck << "** fiber at " << to_text(ply.angle) << " degrees\n";
+    if (!ply.plane.normal_at)
+      {
+        deck << head << axes_line(ply, placement, Point<3>());
+        return;
+      }
+    // The plies of a curved wall have other axes in each element.
+    const std::string table = set + "_TURNS";
+    deck << "*DISTRIBUTION, NAME=" << table << "\n, "
+         << numbers_line({1., 0., 0., 0., 1., 0.});
+    for (unsigned int e = firsts[body].second; e < firsts[body + 1].second; ++e)
+      if (plies[e - 1] == index)
+        {
+          Point<3> center;
+          for (unsigned int i = 0; i < n_corners; ++i)
+            center += node(nodes_of(e)[i]) / n_corners;
+          deck << e << ", "
+               << axes_line(ply, placement, placement.to_body(center));
+        }
+    deck << head << table << '\n';
+  }
 
 
 
@@ -456,18 +486,8 @@ namespace lamella
           "MATERIAL" +
           std::to_string(std::distance(scene.materials.begin(), place) + 1);
         const bool isotropic = is_isotropic(plies[ply].properties.elastic);
-        if (!isotropic && plies[ply].plane.normal_at)
-          throw InputError(
-            "Section " + scene.bodies[body].section,
-            "",
-            "export.curved-plies: the plies of this section follow a curved "
-            "wall, but the export writes one material orientation per ply",
-            "Use sections with flat walls, or isotropic materials.");
         if (!isotropic)
-          write_orientation(deck,
-                            set,
-                            plies[ply],
-                            scene.bodies[body].placement.axes);
+          write_orientation(deck, set, body, ply);
         deck << "*SOLID SECTION, ELSET=" << set << ", MATERIAL=" << material
              << (isotropic ? "" : ", ORIENTATION=" + set + "_AXES") << '\n';
       }

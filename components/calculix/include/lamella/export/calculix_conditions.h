@@ -43,6 +43,21 @@ namespace lamella
     double
     load_vector_on(const unsigned int s, const unsigned int c) const;
 
+    /// Returns whether the scene has static steps: always, except for natural
+    /// modes without loads, contacts and prescribed displacements.
+    bool
+    has_static_steps() const
+    {
+      return has_statics;
+    }
+
+    /// Returns the number of rigid motions that supports leave free.
+    unsigned int
+    n_rigid_motions() const
+    {
+      return n_free_motions;
+    }
+
     /// Returns the node set name of support @p s, component @p c: SUPPORT1_X.
     static std::string
     set_name(const unsigned int s, const unsigned int c);
@@ -74,7 +89,9 @@ namespace lamella
     /// Nodes at which each support prescribes each component.
     std::vector<std::array<std::set<unsigned int>, 3>> held;
     /// Sum of the nodal forces of all loads.
-    NodalForces nodal_forces;
+    NodalForces  nodal_forces;
+    bool         has_statics    = true;
+    unsigned int n_free_motions = 0;
   };
 } // namespace lamella
 

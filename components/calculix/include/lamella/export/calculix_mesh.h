@@ -123,6 +123,14 @@ namespace lamella
     /// Writes the materials MATERIAL1, ..., sorted by name.
     void
     write_materials(std::ostream &deck) const;
+    /// Writes the ply axes SET_AXES of the ply of index @p ply of @p body,
+    /// whose element set is @p set: one orientation, or one per element at its
+    /// center if the ply follows a curved wall.
+    void
+    write_orientation(std::ostream      &deck,
+                      const std::string &set,
+                      const unsigned int body,
+                      const unsigned int ply) const;
     /// Writes material and axes of the plies of @p body.
     void
     write_sections(std::ostream &deck, const unsigned int body) const;
