@@ -8,7 +8,8 @@ SCENE is deck.prm beside this file; what is expected is derived from the numbers
 it. Needs no CalculiX. For each of the three elements: counts, positive Jacobians,
 volumes; materials and fibers; nodes of supports in their planes and the values
 there; forces and moments of the loads; areas and normals of contact surfaces, and
-that obstacles are where the scene has them.
+that obstacles are where the scene has them. From modes.prm: the steps of modes, and
+the axes of plies in a curved wall.
 """
 
 import json
@@ -69,7 +70,7 @@ class Deck:
         self.nodes, self.elements = {}, {}
         self.nsets, self.elsets, self.surfaces = {}, {}, {}
         self.materials, self.axes, self.sections, self.pairs = {}, {}, {}, []
-        self.steps = []
+        self.steps, self.densities, self.turns = [], {}, {}
         text = re.sub(r"^\*\*.*\n", "", path.read_text(), flags=re.MULTILINE)
         check(all(len(field.strip()) <= 20 for line in text.splitlines()
                   if not line.startswith("*") for field in line.split(",")),
@@ -103,14 +104,22 @@ class Deck:
             self.materials[self.material] = [float(x) for x in
                                              body.replace("\n", ",").split(",")
                                              if x.strip()]
+        elif name == "DENSITY":
+            self.densities[self.material] = float(body)
+        elif name == "DISTRIBUTION":
+            self.turns[options["NAME"]] = {int(n): tuple(map(float, axes))
+                                           for n, *axes in rows[1:]}
         elif name == "ORIENTATION":
-            self.axes[options["NAME"]] = [float(x) for x in rows[0]]
+            self.axes[options["NAME"]] = rows[0][0] if len(rows[0]) == 1 else [
+                float(x) for x in rows[0]]
         elif name == "SOLID SECTION":
             self.sections[options["ELSET"]] = options
         elif name == "CONTACT PAIR":
             self.pairs.append(rows[0])
         elif name == "STEP":
-            self.steps.append({"BOUNDARY": {}, "CLOAD": {}})
+            self.steps.append({"BOUNDARY": {}, "CLOAD": {}, "options": set(options)})
+        elif name in ("STATIC", "FREQUENCY", "BUCKLE"):
+            self.steps[-1][name] = [float(x) for x in rows[0]]
         elif name == "BOUNDARY":
             for where, first, last, value in rows:
                 for n in self.nsets.get(where) or [int(where)]:
@@ -344,6 +353,63 @@ def check_probes(deck, meaning):
              "the mean of a square")
 
 
+def check_modes(program, scene, folder):
+    def deck_of(*changes):
+        path = folder / "modes.inp"
+        subprocess.run([program, "export", "--calculix", scene, "--output", path] + [
+            word for change in changes for word in ("--set", change)], check=True)
+        return Deck(path), json.loads(path.with_suffix(".json").read_text())
+
+    def kinds(deck):
+        return [next(kind for kind in ("STATIC", "FREQUENCY", "BUCKLE") if kind in step)
+                for step in deck.steps]
+
+    # No loads: one step. The ends have no u_z, so that three motions are rigid.
+    without = ["Loads=", "Contacts="]
+    turned = [*without, "Bodies=turned", "Supports=turned"]
+    deck, meaning = deck_of(*turned)
+    check(kinds(deck) == ["FREQUENCY"] and meaning["steps"] == [], "no static step")
+    check(deck.steps[0]["FREQUENCY"] == [6 + 3] and meaning["rigid_modes"] == 3,
+          "three rigid motions")
+    check("PERTURBATION" not in deck.steps[0]["options"], "no stresses")
+    check({c for _, c in deck.steps[0]["BOUNDARY"]} == {3} and
+          set(deck.steps[0]["BOUNDARY"].values()) == {0.}, "supports of the modes")
+    check(set(deck.densities.values()) == {2.7e-9, 1.6e-9}, "densities")
+    deck, meaning = deck_of(*turned, "Modes=100 to 500")
+    check(deck.steps[0]["FREQUENCY"] == [meaning["modes"] + 3, 100, 500], "a range")
+    deck, meaning = deck_of(*turned, "Supports=")
+    check(deck.steps[0]["FREQUENCY"] == [6 + 6] and not deck.steps[0]["BOUNDARY"],
+          "a free body is free")
+    # Loads and contacts: modes about the state of the static step.
+    strips = ["Bodies=lower, upper", "Supports=strips"]
+    deck, meaning = deck_of(*strips)
+    check(kinds(deck) == ["STATIC", "FREQUENCY"] and meaning["steps"] == [1.],
+          "modes after a static step")
+    check("PERTURBATION" in deck.steps[1]["options"], "of whose stresses they are")
+    deck, meaning = deck_of(*strips, "Contacts=", "Find=modes, buckling", "Load factors=1, 2")
+    check(kinds(deck) == ["STATIC", "STATIC", "FREQUENCY", "BUCKLE"], "both kinds of modes")
+    check(deck.steps[3]["BUCKLE"] == [6] and deck.steps[3]["CLOAD"] and
+          deck.steps[3]["CLOAD"] == deck.steps[1]["CLOAD"] and
+          deck.steps[3]["BOUNDARY"] == deck.steps[1]["BOUNDARY"], "factors of the last loads")
+
+    # Fibers at 45 and -45 degrees to the axis in the wall of a tube around (10, y, 10).
+    deck, _ = deck_of(*without, "Bodies=tube", "Supports=tube")
+    for ply, sign in ((1, 1.), (2, -1.)):
+        name = f"BODY1_PLY{ply}"
+        turns = deck.turns[deck.axes[name + "_AXES"]]
+        check(sorted(turns) == sorted(deck.elsets[name]), f"axes of all elements of ply {ply}")
+        worst = 0.
+        for e, axes in turns.items():
+            x, _ = deck.shape(e, (0., 0., 0.))
+            r = math.hypot(x[0] - 10, x[2] - 10)
+            normal = ((x[0] - 10) / r, 0., (x[2] - 10) / r)
+            fiber = plus(times(math.sqrt(0.5), (0., 1., 0.)),
+                         times(sign * math.sqrt(0.5), cross((0., 1., 0.), normal)))
+            worst = max(worst, math.dist(axes[:3], fiber),
+                        math.dist(cross(axes[:3], axes[3:]), normal))
+        near(worst, 0., 1e-9, f"fibers and normals of ply {ply}")
+
+
 def main(program, scene, folder):
     folder.mkdir(parents=True, exist_ok=True)
     # How far the geometry may be off a circle: parabolas, or chords.
@@ -364,6 +430,7 @@ def main(program, scene, folder):
         subprocess.run([program, "export", "--calculix", scene, "--output", path,
                         "--element", element, "--set", "Rotations=large"], check=True)
         check(path.read_text().count(", NLGEOM") == path.read_text().count("*STEP"), "NLGEOM")
+    check_modes(program, scene.parent / "modes.prm", folder)
 
 
 if __name__ == "__main__":
