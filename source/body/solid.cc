@@ -27,16 +27,6 @@ namespace lamella
     , is_curved(has_curved_edges(*section))
     , box(mesh.nodes())
   {
-    make_constraints();
-    find_kinds();
-    make_boxes();
-  }
-
-
-
-  void
-  Solid::make_constraints()
-  {
     for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
       for (unsigned int c = 0; c < 3; ++c)
         {
@@ -45,6 +35,8 @@ namespace lamella
             hanging.add_entry(3 * node.node + c, 3 * master + c, weight);
         }
     hanging.close();
+    find_kinds();
+    make_boxes();
   }
 
 
@@ -166,14 +158,6 @@ namespace lamella
 
 
 
-  Point<3>
-  Solid::center() const
-  {
-    return placement.to_scene(box.center());
-  }
-
-
-
   double
   Solid::size() const
   {
@@ -261,6 +245,21 @@ namespace lamella
 
 
 
+  Gradient
+  Solid::gradient_at(const unsigned int     cell,
+                     const HexahedronPoint &point,
+                     const Vector          &u) const
+  {
+    const std::vector<double> v = relative_displacements(cell, u);
+    Gradient                  H;
+    for (unsigned int i = 0; i < point.gradients.size(); ++i)
+      H += outer_product(point.gradients[i],
+                         Tensor<1, 3>({v[3 * i], v[3 * i + 1], v[3 * i + 2]}));
+    return H;
+  }
+
+
+
   void
   Solid::add_internal_forces(const Vector &u, Vector &f) const
   {
@@ -304,33 +303,22 @@ namespace lamella
   Solid::deformation(const Vector &u) const
   {
     Deformation result;
-    for (const Kind &kind : kinds)
-      {
-        if (kind.own_cells.empty())
-          continue;
-        for (const HexahedronPoint &point :
-             element.quadrature_points(nodes_of(kind.cell)))
-          {
-            const std::vector<Voigt> B = element.strains(point, kind.modes);
-            const ElasticLaw         law_here = law(kind.cell, point.position);
-            for (const unsigned int cell : kind.own_cells)
-              {
-                const std::vector<double> v = relative_displacements(cell, u);
-                Voigt                     strain;
-                Tensor<1, 3>              curl;
-                for (unsigned int d = 0; d < v.size(); ++d)
-                  strain += v[d] * B[d];
-                for (unsigned int i = 0; i < point.gradients.size(); ++i)
-                  curl += cross_product_3d(point.gradients[i],
-                                           Point<3>(v[3 * i],
-                                                    v[3 * i + 1],
-                                                    v[3 * i + 2]));
-                result.energy += point.JxW * law_here.energy_density(strain);
-                result.max_rotation =
-                  std::max(result.max_rotation, 0.5 * curl.norm());
-              }
-          }
-      }
+    for_each_gauss_point([&](const unsigned int        cell,
+                             const HexahedronPoint    &point,
+                             const std::vector<Voigt> &B,
+                             const ElasticLaw         &law) {
+      const std::vector<double> v = relative_displacements(cell, u);
+      Voigt                     strain;
+      Tensor<1, 3>              curl;
+      for (unsigned int d = 0; d < v.size(); ++d)
+        strain += v[d] * B[d];
+      for (unsigned int i = 0; i < point.gradients.size(); ++i)
+        curl +=
+          cross_product_3d(point.gradients[i],
+                           Point<3>(v[3 * i], v[3 * i + 1], v[3 * i + 2]));
+      result.energy += point.JxW * law.energy_density(strain);
+      result.max_rotation = std::max(result.max_rotation, 0.5 * curl.norm());
+    });
     result.energy = Utilities::MPI::sum(result.energy, communicator());
     result.max_rotation =
       Utilities::MPI::max(result.max_rotation, communicator());
@@ -363,22 +351,17 @@ namespace lamella
       return 0.;
     Vector share(n_dofs());
     double energy = 0.;
-    for (const Kind &kind : kinds)
-      if (!kind.own_cells.empty())
-        for (const HexahedronPoint &point :
-             element.quadrature_points(nodes_of(kind.cell)))
-          {
-            const std::vector<Voigt> B = element.strains(point, kind.modes);
-            for (const unsigned int cell : kind.own_cells)
-              {
-                const ElasticLaw at = law_at(cell, point.unit, point.position);
-                const Voigt      stress          = -1. * at.stress(Voigt());
-                const std::vector<DofIndex> dofs = dofs_of(cell);
-                for (unsigned int d = 0; d < dofs.size(); ++d)
-                  share[dofs[d]] += point.JxW * (B[d] * stress);
-                energy += point.JxW * at.energy_density(Voigt());
-              }
-          }
+    for_each_gauss_point([&](const unsigned int        cell,
+                             const HexahedronPoint    &point,
+                             const std::vector<Voigt> &B,
+                             const ElasticLaw &) {
+      const ElasticLaw            at = law_at(cell, point.unit, point.position);
+      const Voigt                 stress = -1. * at.stress(Voigt());
+      const std::vector<DofIndex> dofs   = dofs_of(cell);
+      for (unsigned int d = 0; d < dofs.size(); ++d)
+        share[dofs[d]] += point.JxW * (B[d] * stress);
+      energy += point.JxW * at.energy_density(Voigt());
+    });
     sum_over_processes(share);
     f += share;
     if (u.size() > 0)

@@ -199,47 +199,22 @@ namespace lamella
 
 
   std::vector<Location>
-  Solid::node_locations(
-    const std::vector<std::pair<unsigned int, unsigned int>> &faces) const
+  Solid::body_points() const
   {
     std::set<unsigned int> seen;
     for (const HexahedralMesh::HangingNode &node : mesh.hanging_nodes())
       seen.insert(node.node);
     std::vector<Location> locations;
-    for (const auto &[cell, face] : faces)
+    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
       {
         const auto &nodes = mesh.cells()[cell].nodes;
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          {
-            const Point<3> &unit = element.unit_node(i);
-            if ((face == numbers::invalid_unsigned_int ||
-                 std::abs(unit[face / 2] - face % 2) < arithmetic::same_unit) &&
-                seen.insert(nodes[i]).second)
-              locations.push_back({placement.to_scene(mesh.nodes()[nodes[i]]),
-                                   mesh.cells()[cell].ply,
-                                   {{cell, unit}}});
-          }
+          if (seen.insert(nodes[i]).second)
+            locations.push_back({placement.to_scene(mesh.nodes()[nodes[i]]),
+                                 mesh.cells()[cell].ply,
+                                 {{cell, element.unit_node(i)}}});
       }
     return locations;
-  }
-
-
-
-  std::vector<Location>
-  Solid::constraint_points(const std::string &surface) const
-  {
-    return node_locations(faces_of(surface));
-  }
-
-
-
-  std::vector<Location>
-  Solid::body_points() const
-  {
-    std::vector<std::pair<unsigned int, unsigned int>> all;
-    for (unsigned int cell = 0; cell < mesh.cells().size(); ++cell)
-      all.emplace_back(cell, numbers::invalid_unsigned_int);
-    return node_locations(all);
   }
 
 

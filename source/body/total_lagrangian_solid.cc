@@ -56,21 +56,6 @@ namespace lamella
 
 
 
-  Gradient
-  TotalLagrangianSolid::gradient_at(const unsigned int     cell,
-                                    const HexahedronPoint &point,
-                                    const Vector          &u) const
-  {
-    const std::vector<double> v = relative_displacements(cell, u);
-    Gradient                  H;
-    for (unsigned int i = 0; i < point.gradients.size(); ++i)
-      H += outer_product(point.gradients[i],
-                         Tensor<1, 3>({v[3 * i], v[3 * i + 1], v[3 * i + 2]}));
-    return H;
-  }
-
-
-
   double
   TotalLagrangianSolid::rotation_along(const unsigned int cell,
                                        const Vector      &u) const

@@ -79,17 +79,6 @@ namespace lamella
     /// Where i and j stand in the order of Eq. 4.
     constexpr unsigned int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
-    /// E_ij of H_i . H_j / 2 alone, shears twice.
-    Voigt
-    quadratic_strain(const Gradient &H)
-    {
-      Voigt e;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
-      return e;
-    }
-
 
 
     /// dE / dH at H, F_j = e_j + H_j: rows are strains, columns H by rows.
@@ -122,6 +111,26 @@ namespace lamella
 
 
 
+  Tensor<2, 3>
+  stress_tensor(const Voigt &stress)
+  {
+    return Tensor<2, 3>(tensor_of(stress, 1.));
+  }
+
+
+
+  Voigt
+  quadratic_strain(const Gradient &H)
+  {
+    Voigt e;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        e[place[i][j]] = (i == j ? 0.5 : 1.) * (H[i] * H[j]);
+    return e;
+  }
+
+
+
   PolarDecomposition::PolarDecomposition(const Gradient &H)
   {
     Tensor<2, 3> inverse;
@@ -143,8 +152,8 @@ namespace lamella
   Voigt
   PolarDecomposition::corotated_stress(const Voigt &second) const
   {
-    const Tensor<2, 3> S(tensor_of(second, 1.)),
-      sigma = U * S * U / determinant(U);
+    const Tensor<2, 3> S     = stress_tensor(second),
+                       sigma = U * S * U / determinant(U);
     Voigt s;
     for (unsigned int i = 0; i < 3; ++i)
       s[i] = sigma[i][i];
@@ -184,7 +193,7 @@ namespace lamella
   Tensor<2, 3>
   first_stress(const Gradient &H, const Voigt &second)
   {
-    const Tensor<2, 3> S(tensor_of(second, 1.));
+    const Tensor<2, 3> S = stress_tensor(second);
     return S + S * H;
   }
 
@@ -193,7 +202,7 @@ namespace lamella
   Tensor<2, 9>
   stress_tangent(const Voigt &second)
   {
-    const Tensor<2, 3> S(tensor_of(second, 1.));
+    const Tensor<2, 3> S = stress_tensor(second);
     Tensor<2, 9>       D;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)

@@ -7,6 +7,7 @@
 #include <lamella/body/hexahedral_mesh.h>
 #include <lamella/body/hexahedron.h>
 #include <lamella/body/placement.h>
+#include <lamella/section/finite_strain.h>
 #include <lamella/section/ply_laws.h>
 
 #include <deal.II/numerics/rtree.h>
@@ -66,8 +67,6 @@ namespace lamella
     }
     std::vector<Vector>
     rigid_motions(const Vector &u) const override;
-    dealii::Point<3>
-    center() const override;
     double
     size() const override;
     dealii::BoundingBox<3>
@@ -121,8 +120,6 @@ namespace lamella
     surfaces() const override;
     std::vector<SurfacePoint>
     surface_points(const std::string &surface) const override;
-    std::vector<Location>
-    constraint_points(const std::string &surface) const override;
     std::vector<Location>
     body_points() const override;
     SurfaceTopology
@@ -183,6 +180,12 @@ namespace lamella
     std::vector<double>
     relative_displacements(const unsigned int cell, const Vector &u) const;
 
+    /// Returns the displacement gradient H of @p u at @p point of @p cell.
+    Gradient
+    gradient_at(const unsigned int     cell,
+                const HexahedronPoint &point,
+                const Vector          &u) const;
+
     /// Returns the law with thermal strain at @p x (unit coordinates @p unit).
     /// Degree 1 uses the temperature at the element center.
     ElasticLaw
@@ -205,9 +208,45 @@ namespace lamella
     void
     find_kinds();
     void
-    make_constraints();
-    void
     make_boxes();
+
+    /// Calls @p use(cell, k, point, B, law) for the hexahedra of this process
+    /// at each point, with the number k, that @p points_of(nodes) returns. The
+    /// strain there is B times the relative displacements.
+    template <typename Points, typename Use>
+    void
+    for_each_point(const Points &points_of, const Use &use) const
+    {
+      for (const Kind &kind : kinds)
+        if (!kind.own_cells.empty())
+          {
+            unsigned int k = 0;
+            for (const HexahedronPoint &point : points_of(nodes_of(kind.cell)))
+              {
+                const std::vector<Voigt> B = element.strains(point, kind.modes);
+                const ElasticLaw law_here  = law(kind.cell, point.position);
+                for (const unsigned int cell : kind.own_cells)
+                  use(cell, k, point, B, law_here);
+                ++k;
+              }
+          }
+    }
+
+    /// Calls for_each_point() with the points of full integration.
+    template <typename Use>
+    void
+    for_each_gauss_point(const Use &use) const
+    {
+      for_each_point(
+        [this](const Hexahedron::Nodes &nodes) {
+          return element.quadrature_points(nodes);
+        },
+        [&use](const unsigned int cell,
+               unsigned int,
+               const HexahedronPoint    &point,
+               const std::vector<Voigt> &B,
+               const ElasticLaw         &law) { use(cell, point, B, law); });
+    }
 
     /// Returns the elasticity matrix of @p cell as a function of the point.
     StiffnessField
@@ -268,11 +307,6 @@ namespace lamella
     /// Returns the element faces (cell, face) of the surface @p surface.
     std::vector<std::pair<unsigned int, unsigned int>>
     faces_of(const std::string &surface) const;
-
-    /// Returns a location of each node of @p faces that is not hanging.
-    std::vector<Location>
-    node_locations(
-      const std::vector<std::pair<unsigned int, unsigned int>> &faces) const;
 
     HexahedralMesh            mesh;
     Hexahedron                element;

@@ -4,7 +4,6 @@
 #define lamella_body_total_lagrangian_solid_h
 
 #include <lamella/body/solid.h>
-#include <lamella/section/finite_strain.h>
 
 namespace lamella
 {
@@ -55,12 +54,6 @@ namespace lamella
                             const Vector          &u) const override;
 
   private:
-    /// Returns the displacement gradient H of @p u at @p point of @p cell.
-    Gradient
-    gradient_at(const unsigned int     cell,
-                const HexahedronPoint &point,
-                const Vector          &u) const;
-
     /// Returns the rotation of @p cell between its ends along the axis [rad].
     double
     rotation_along(const unsigned int cell, const Vector &u) const;

@@ -33,6 +33,10 @@ namespace lamella
   Voigt
   green_strain(const Gradient &H);
 
+  /// Returns the part sum_c H_ic H_jc / 2 of green_strain(), as there.
+  Voigt
+  quadratic_strain(const Gradient &H);
+
   /// Returns true if det F <= 0, with F = 1 + H^T of the gradient @p H.
   inline bool
   is_inverted(const Gradient &H)
@@ -68,6 +72,10 @@ namespace lamella
   /// Converts the Green-Lagrange @p strain from Voigt notation to a tensor.
   dealii::SymmetricTensor<2, 3>
   strain_tensor(const Voigt &strain);
+
+  /// Converts the @p stress from Voigt notation to a tensor.
+  dealii::Tensor<2, 3>
+  stress_tensor(const Voigt &stress);
 
   /// The polar decomposition F = R U of the deformation gradient F_ci =
   /// delta_ci + H[i][c] into a rotation R and the right stretch tensor U.
