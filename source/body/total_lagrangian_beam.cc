@@ -215,38 +215,22 @@ namespace lamella
 
   // ---- the tangent
 
-  StiffnessBlock
-  TotalLagrangianBeam::empty_block(
-    const unsigned int               cell,
-    const std::vector<unsigned int> &on_section) const
-  {
-    StiffnessBlock block;
-    for (const unsigned int node : axis().nodes_of_cell(cell))
-      for (const unsigned int alpha : on_section)
-        block.rows.push_back(dofs().first(node) + dofs().place(node, alpha));
-    block.columns = block.rows;
-    return block;
-  }
-
-
-
   std::vector<StiffnessBlock>
-  TotalLagrangianBeam::empty_blocks(const unsigned int cell) const
+  TotalLagrangianBeam::make_blocks(const unsigned int cell,
+                                   const bool         with_values) const
   {
     std::vector<StiffnessBlock> blocks;
     for (const auto *on_section : green.fields_of_cells())
-      blocks.push_back(empty_block(cell, *on_section));
-    return blocks;
-  }
-
-
-
-  std::vector<StiffnessBlock>
-  TotalLagrangianBeam::zero_blocks(const unsigned int cell) const
-  {
-    std::vector<StiffnessBlock> blocks = empty_blocks(cell);
-    for (StiffnessBlock &block : blocks)
-      block.values.assign(block.rows.size() * block.columns.size(), 0.);
+      {
+        StiffnessBlock &block = blocks.emplace_back();
+        for (const unsigned int node : axis().nodes_of_cell(cell))
+          for (const unsigned int alpha : *on_section)
+            block.rows.push_back(dofs().first(node) +
+                                 dofs().place(node, alpha));
+        block.columns = block.rows;
+        if (with_values)
+          block.values.assign(block.rows.size() * block.columns.size(), 0.);
+      }
     return blocks;
   }
 
@@ -259,7 +243,7 @@ namespace lamella
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end && is_heated(); ++cell)
       {
-        std::vector<StiffnessBlock> blocks = zero_blocks(cell);
+        std::vector<StiffnessBlock> blocks = make_blocks(cell, true);
         for (unsigned int k = 0; k < along_axis().n_stations(); ++k)
           {
             const double y =
@@ -386,8 +370,7 @@ namespace lamella
     const auto [begin, end] = axis().own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
       {
-        std::vector<StiffnessBlock> blocks =
-          with_values ? zero_blocks(cell) : empty_blocks(cell);
+        std::vector<StiffnessBlock> blocks = make_blocks(cell, with_values);
         if (with_values)
           add_values(cell, u, correction, blocks);
         for (const StiffnessBlock &block : blocks)

@@ -77,18 +77,10 @@ namespace lamella
     double
     rotation_along(const unsigned int cell, const Vector &u) const;
 
-    /// Return one matrix block per section cell for the axis element @p cell:
-    /// empty_blocks() without values, zero_blocks() with zeros.
+    /// Returns one matrix block per section cell for the axis element @p cell,
+    /// with zeros if @p with_values is true, otherwise without values.
     std::vector<StiffnessBlock>
-    empty_blocks(const unsigned int cell) const;
-    std::vector<StiffnessBlock>
-    zero_blocks(const unsigned int cell) const;
-
-    /// Returns a block without values of the axis element @p cell and the
-    /// section functions @p on_section.
-    StiffnessBlock
-    empty_block(const unsigned int               cell,
-                const std::vector<unsigned int> &on_section) const;
+    make_blocks(const unsigned int cell, const bool with_values) const;
 
     /// Adds the tangent stiffness of the axis element @p cell to its @p blocks.
     void
