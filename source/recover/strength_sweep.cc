@@ -2,14 +2,12 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/recover/interlaminar.h>
 #include <lamella/recover/strength_sweep.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace lamella
@@ -54,82 +52,22 @@ namespace lamella
 
 
 
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-
-
-    /// What a process says of a row in numbers: whether there is one, and all
-    /// of it but its mode and its task.
-    constexpr unsigned int n_numbers = 8;
-    using RowNumbers                 = std::array<double, n_numbers>;
-
-    RowNumbers
-    numbers_of_row(const std::optional<PlyReserve> &row)
-    {
-      const PlyReserve r = row.value_or(PlyReserve());
-      return {{row ? 1. : 0.,
-               r.reserve.value_or(none),
-               r.index,
-               r.position[0],
-               r.position[1],
-               r.position[2],
-               r.angle.value_or(none),
-               r.stress_discrepancy}};
-    }
-
-
-
-    /// The row of these numbers, @p v.
-    std::optional<PlyReserve>
-    row_of_numbers(const double *v, const std::string &mode)
-    {
-      if (v[0] == 0.)
-        return std::nullopt;
-      const auto optional = [](const double value) {
-        return std::isnan(value) ? std::nullopt : std::make_optional(value);
-      };
-      PlyReserve row;
-      row.mode               = mode;
-      row.reserve            = optional(v[1]);
-      row.index              = v[2];
-      row.position           = Point<3>(v[3], v[4], v[5]);
-      row.angle              = optional(v[6]);
-      row.stress_discrepancy = v[7];
-      return row;
-    }
-
-
-
     /// The worst of each of @p rows over all processes.
     std::vector<std::optional<PlyReserve>>
     worst_of_processes(const std::vector<std::optional<PlyReserve>> &rows)
     {
       if (n_processes() == 1)
         return rows;
-      std::vector<double> numbers;
-      std::string         modes;
-      for (const auto &row : rows)
-        {
-          const RowNumbers of_row = numbers_of_row(row);
-          numbers.insert(numbers.end(), of_row.begin(), of_row.end());
-          modes += row.value_or(PlyReserve()).mode + "|";
-        }
-      const auto all_numbers =
-        Utilities::MPI::all_gather(communicator(), numbers);
-      const auto all_modes = Utilities::MPI::all_gather(communicator(), modes);
-
+      std::map<unsigned int, PlyReserve> own;
+      for (unsigned int t = 0; t < rows.size(); ++t)
+        if (rows[t])
+          own[t] = *rows[t];
       std::vector<std::optional<PlyReserve>> result(rows.size());
-      for (unsigned int process = 0; process < all_numbers.size(); ++process)
-        {
-          const auto names = split(all_modes[process] + "-", '|');
-          for (unsigned int t = 0; t < rows.size(); ++t)
-            {
-              const auto row =
-                row_of_numbers(&all_numbers[process][n_numbers * t], names[t]);
-              if (row && (!result[t] || is_worse(*row, *result[t])))
-                result[t] = row;
-            }
-        }
+      for (const auto &of_process :
+           Utilities::MPI::all_gather(communicator(), own))
+        for (const auto &[t, row] : of_process)
+          if (!result[t] || is_worse(row, *result[t]))
+            result[t] = row;
       return result;
     }
   } // namespace
@@ -161,12 +99,6 @@ namespace lamella
       const Key key{ply, std::llround((x - start) * direction / same)};
       double   &largest = stations.emplace(key, value).first->second;
       largest           = std::max(largest, value);
-    }
-
-    void
-    exclude(const unsigned int ply, const Point<3> &x)
-    {
-      add(ply, x, -1.);
     }
 
     /// Of all processes, as rows of body @p body. Collective.
@@ -260,7 +192,7 @@ namespace lamella
           continue;
         if (is_excluded(x))
           {
-            along.exclude(task.ply, x);
+            along.add(task.ply, x, -1.);
             continue;
           }
         const Voigt &stress = cell.loaded.samples[k].ply_stress;
@@ -365,13 +297,7 @@ namespace lamella
     const auto worst = worst_of_processes(own);
     for (unsigned int t = 0; t < swept.tasks.size(); ++t)
       if (worst[t])
-        {
-          plies.push_back(*worst[t]);
-          PlyReserve &row = plies.back();
-          row.body        = swept.body;
-          row.ply         = swept.tasks[t].ply;
-          row.criterion   = name_of(swept.tasks[t].criterion);
-        }
+        plies.push_back(*worst[t]);
   }
 
 

@@ -109,31 +109,6 @@ namespace boost
 
 
 
-    /// A number that may be missing.
-    template <typename Archive>
-    void
-    serialize_optional(Archive &archive, std::optional<double> &number)
-    {
-      bool                has_point = number.has_value();
-      double              value     = number.value_or(0.);
-      archive &has_point &value;
-      number = has_point ? std::optional<double>(value) : std::nullopt;
-    }
-
-
-
-    template <typename Archive>
-    void
-    serialize(Archive &archive, lamella::PlyReserve &row, const unsigned int)
-    {
-      archive &row.body &row.ply &row.criterion &row.mode &row.index &row
-        .position &row.stress_discrepancy;
-      serialize_optional(archive, row.reserve);
-      serialize_optional(archive, row.angle);
-    }
-
-
-
     template <typename Archive>
     void
     serialize(Archive                       &archive,
@@ -142,7 +117,7 @@ namespace boost
     {
       archive &beyond.stiffening &beyond.stiffened &beyond.buckled &beyond
         .amplification;
-      serialize_optional(archive, beyond.buckling_factor);
+      lamella::serialize_optional(archive, beyond.buckling_factor);
     }
 
 
@@ -153,7 +128,7 @@ namespace boost
     {
       archive &step.step &step.load_factor &step.state &step.memory &step
         .changes &step.warnings &step.plies &step.checks.beyond &step.substeps;
-      serialize_optional(archive, step.change);
+      lamella::serialize_optional(archive, step.change);
     }
 
 

@@ -79,6 +79,17 @@ namespace lamella
     std::vector<std::optional<double>> cuts;   ///< Error of each cut.
   };
 
+  /// Serializes a @p number that may be missing (Boost.Serialization).
+  template <typename Archive>
+  void
+  serialize_optional(Archive &archive, std::optional<double> &number)
+  {
+    bool                has_value = number.has_value();
+    double              value     = number.value_or(0.);
+    archive &has_value &value;
+    number = has_value ? std::optional<double>(value) : std::nullopt;
+  }
+
   /// Smallest reserve factor of a ply by one failure criterion, and its point
   /// (doc/theory/strength.md).
   struct PlyReserve
@@ -99,6 +110,16 @@ namespace lamella
     std::optional<double> angle;
     /// Stress error: |element stress - recovered stress| / |recovered stress|.
     double stress_discrepancy = 0.;
+
+    /// Serializes all members (Boost.Serialization).
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &body &ply &criterion &mode &index &position &stress_discrepancy;
+      serialize_optional(archive, reserve);
+      serialize_optional(archive, angle);
+    }
   };
 
   /// Smallest reserve factor of a ply in one cross-section of a beam.
