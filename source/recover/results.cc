@@ -69,30 +69,38 @@ namespace lamella
 
 
 
-    /// Merges the warnings of @p first failure into @p all.
+    /// Merges the warning @p text of @p step, or if that is null of first
+    /// failure, at the load factor @p factor, into @p all.
     void
-    add_first_failure(const FirstFailure &first, std::vector<StepWarning> &all)
+    merge(const std::string        &text,
+          const StepResults        *step,
+          const double              factor,
+          std::vector<StepWarning> &all)
     {
-      for (const std::string &text : first.warnings)
+      const std::string kind = without_numbers(text);
+      // The same kind twice in a step is two warnings.
+      const auto known =
+        std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
+          return w.kind == kind &&
+                 (step == nullptr ? !w.at_failure :
+                                    w.steps.back() != step->step);
+        });
+      if (known == all.end())
         {
-          const std::string kind = without_numbers(text);
-          const auto        known =
-            std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
-              return !w.at_failure && kind == w.kind;
-            });
-          if (known == all.end())
-            {
-              all.push_back({kind, text, nullptr, {}, true, true});
-              continue;
-            }
-          known->at_failure = true;
-          known->same       = known->same && known->text == text;
-          if (std::abs(first.failing) >=
-              std::abs(known->step->load_factor.of_scene()))
-            {
-              known->text = text;
-              known->step = nullptr;
-            }
+          all.push_back({kind, text, step, {}, true, step == nullptr});
+          if (step != nullptr)
+            all.back().steps = {step->step};
+          return;
+        }
+      if (step != nullptr)
+        known->steps.push_back(step->step);
+      else
+        known->at_failure = true;
+      known->same = known->same && known->text == text;
+      if (std::abs(factor) >= std::abs(known->step->load_factor.of_scene()))
+        {
+          known->text = text;
+          known->step = step;
         }
     }
 
@@ -106,29 +114,10 @@ namespace lamella
       std::vector<StepWarning> all;
       for (const StepResults &step : results.steps)
         for (const std::string &text : step.warnings)
-          {
-            const std::string kind = without_numbers(text);
-            // The same kind twice in a step is two warnings.
-            const auto known =
-              std::find_if(all.begin(), all.end(), [&](const StepWarning &w) {
-                return w.kind == kind && w.steps.back() != step.step;
-              });
-            if (known == all.end())
-              {
-                all.push_back({kind, text, &step, {step.step}});
-                continue;
-              }
-            known->steps.push_back(step.step);
-            known->same = known->same && known->text == text;
-            if (std::abs(step.load_factor.of_scene()) >=
-                std::abs(known->step->load_factor.of_scene()))
-              {
-                known->text = text;
-                known->step = &step;
-              }
-          }
+          merge(text, &step, step.load_factor.of_scene(), all);
       if (results.first_failure)
-        add_first_failure(*results.first_failure, all);
+        for (const std::string &text : results.first_failure->warnings)
+          merge(text, nullptr, results.first_failure->failing, all);
       return all;
     }
 
