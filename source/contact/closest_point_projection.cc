@@ -30,17 +30,11 @@ namespace lamella
                       const FacetMap::Place &place,
                       const Tensor<1, 3>    &r)
     {
+      const auto   second = map.curvature(st);
       Tensor<2, 2> matrix;
-      matrix[0][0] = place.d_s * place.d_s;
-      matrix[0][1] = matrix[1][0] = place.d_s * place.d_t;
-      matrix[1][1]                = place.d_t * place.d_t;
-      if (map.is_affine())
-        return matrix;
-      const auto second = map.curvature(st);
-      matrix[0][0] -= r * second.d_ss;
-      matrix[0][1] -= r * second.d_st;
-      matrix[1][0] -= r * second.d_st;
-      matrix[1][1] -= r * second.d_tt;
+      matrix[0][0] = place.d_s * place.d_s - r * second.d_ss;
+      matrix[0][1] = matrix[1][0] = place.d_s * place.d_t - r * second.d_st;
+      matrix[1][1]                = place.d_t * place.d_t - r * second.d_tt;
       return matrix;
     }
 

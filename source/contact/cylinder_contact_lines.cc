@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -14,7 +16,7 @@
 // Contact of a beam with a circular cylinder along material lines. On each line
 // the distance from the cylinder's axis is minimized at every move:
 // 1. samples on all facets of the line bracket the minimum;
-// 2. the Illinois method finds r . t = 0, t the tangent normal to the
+// 2. the method TOMS 748 finds r . t = 0, t the tangent normal to the
 //    continuous normal of the surface.
 // The force then acts along the normal of the cylinder through that point
 // (closest-point projection onto the axis).
@@ -64,37 +66,32 @@ namespace lamella
 
 
 
-    // Point between @p low and @p high on one facet where slope() is zero, by
-    // the Illinois method. Empty unless it changes from - to +.
+    // Point between @p low and @p high on one facet where slope() is zero.
+    // Empty unless it changes from - to +.
     std::optional<MeshSurface::FacetPoint>
-    nearest_between(const Obstacle         &roller,
-                    const MeshSurface      &now,
-                    MeshSurface::FacetPoint low,
-                    MeshSurface::FacetPoint high)
+    nearest_between(const Obstacle               &roller,
+                    const MeshSurface            &now,
+                    const MeshSurface::FacetPoint low,
+                    const MeshSurface::FacetPoint high)
     {
-      constexpr unsigned int max_iterations = 60;
-      double                 at_low         = slope(roller, now, low),
-             at_high                        = slope(roller, now, high);
+      const double at_low  = slope(roller, now, low),
+                   at_high = slope(roller, now, high);
       if (at_low > 0. || at_high < 0. || at_low == at_high)
         return {};
-      MeshSurface::FacetPoint at        = low;
-      bool                    was_below = false;
-      for (unsigned int k = 0; k < max_iterations; ++k)
-        {
-          const double before = at.st[1], length = high.st[1] - low.st[1];
-          at.st[1]          = low.st[1] - at_low * length / (at_high - at_low);
-          const double here = slope(roller, now, at);
-          if (here == 0. ||
-              std::abs(at.st[1] - before) < arithmetic::rounding_of_sums)
-            break;
-          // An end that stays for two iterations gets half of its slope.
-          const bool below           = here < 0.;
-          (below ? low : high)       = at;
-          (below ? at_low : at_high) = here;
-          if (k > 0 && below == was_below)
-            (below ? at_high : at_low) /= 2.;
-          was_below = below;
-        }
+      MeshSurface::FacetPoint at             = low;
+      std::uintmax_t          max_iterations = 60;
+      const auto              root = boost::math::tools::toms748_solve(
+        [&](const double t) {
+          at.st[1] = t;
+          return slope(roller, now, at);
+        },
+        low.st[1],
+        high.st[1],
+        at_low,
+        at_high,
+        boost::math::tools::eps_tolerance<double>(),
+        max_iterations);
+      at.st[1] = 0.5 * (root.first + root.second);
       return at;
     }
   } // namespace

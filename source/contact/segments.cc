@@ -21,25 +21,6 @@ namespace lamella
 
 
 
-    /// Gauss points of the square collapsed onto the triangle.
-    Quadrature<2>
-    collapsed_rule(const unsigned int degree)
-    {
-      const QGauss<1>       gauss(degree / 2 + 2);
-      std::vector<Point<2>> points;
-      std::vector<double>   weights;
-      for (unsigned int i = 0; i < gauss.size(); ++i)
-        for (unsigned int j = 0; j < gauss.size(); ++j)
-          {
-            const double u = gauss.point(i)[0];
-            points.emplace_back(u, (1. - u) * gauss.point(j)[0]);
-            weights.push_back((1. - u) * gauss.weight(i) * gauss.weight(j));
-          }
-      return {points, weights};
-    }
-
-
-
     // Relative to the area of the piece that is cut.
     constexpr double sliver = 1e-11;
 
@@ -139,7 +120,7 @@ namespace lamella
     return rules
       .emplace(degree,
                degree > 13 ?
-                 collapsed_rule(degree) :
+                 Quadrature<2>(QDuffy(degree / 2 + 2, 1.)) :
                  Quadrature<2>(QWitherdenVincentSimplex<2>(degree / 2 + 1)))
       .first->second;
   }
