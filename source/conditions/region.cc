@@ -28,21 +28,23 @@ namespace lamella
 
 
 
+  double
+  distance_to_segment(const Point<3> &x,
+                      const Point<3> &begin,
+                      const Point<3> &end)
+  {
+    const Tensor<1, 3> along  = end - begin;
+    const double       square = along.norm_square(),
+                 t            = square > 0. ?
+                                  std::clamp((x - begin) * along / square, 0., 1.) :
+                                  0.;
+    return (x - begin - t * along).norm();
+  }
+
+
+
   namespace
   {
-    double
-    distance_to_segment(const Point<3> &x,
-                        const Point<3> &begin,
-                        const Point<3> &end)
-    {
-      const Tensor<1, 3> along = end - begin;
-      const double       t =
-        std::clamp((x - begin) * along / along.norm_square(), 0., 1.);
-      return (x - begin - t * along).norm();
-    }
-
-
-
     std::string
     in_words(const Point<3> &x, const int digits)
     {

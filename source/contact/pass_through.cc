@@ -84,18 +84,6 @@ namespace lamella
 
 
 
-    /// How near the chord from @p a to @p b comes to the origin.
-    double
-    chord_distance(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
-    {
-      const Tensor<1, 3> d      = b - a;
-      const double       length = d * d;
-      const double t = length > 0. ? std::clamp(-(a * d) / length, 0., 1.) : 0.;
-      return (a + t * d).norm();
-    }
-
-
-
     /// Into how many parts a facet is divided each way.
     unsigned int
     parts_of(const FacetMap &map, const double longest)
@@ -244,7 +232,8 @@ namespace lamella
               const Beside   was = beside(roller, from, st),
                            is    = beside(after.roller, to, st);
               if (was.is_ahead && !is.is_ahead &&
-                  chord_distance(was.r, is.r) < roller.radius)
+                  distance_to_segment({}, Point<3>(was.r), Point<3>(is.r)) <
+                    roller.radius)
                 return true;
             }
       }

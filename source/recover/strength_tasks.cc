@@ -37,15 +37,6 @@ namespace lamella
 
 
     bool
-    is_of_core(const Criterion criterion)
-    {
-      return criterion == Criterion::core_shear ||
-             criterion == Criterion::core_crushing;
-    }
-
-
-
-    bool
     is_core(const Ply &ply)
     {
       return ply.properties.core.has_value();
@@ -105,40 +96,6 @@ namespace lamella
           touched[c][f] =
             found[4 * c + f].size() > 1 && is_in_ply_plane(cells[c], f);
       return touched;
-    }
-
-
-
-    /// Whether @p x is on the segment from @p a to @p b.
-    bool
-    is_on(const Point<3> &x,
-          const Point<3> &a,
-          const Point<3> &b,
-          const double    near)
-    {
-      const Tensor<1, 3> along = b - a;
-      const double       t =
-        along.norm() > 0. ?
-                std::clamp(((x - a) * along) / along.norm_square(), 0., 1.) :
-                0.;
-      return x.distance(a + t * along) <= near;
-    }
-
-
-
-    bool
-    is_on_line_or_point(const Region   &region,
-                        const Point<3> &x,
-                        const double    near)
-    {
-      if (region.kind == Region::Kind::line)
-        return is_on(x, region.at.front(), region.at.back(), near);
-      return region.kind == Region::Kind::point &&
-             std::any_of(region.at.begin(),
-                         region.at.end(),
-                         [&](const auto &at) {
-                           return x.distance(at) <= near;
-                         });
     }
   } // namespace
 
@@ -214,7 +171,8 @@ namespace lamella
         {
           const Ply        &ply = plies[k];
           WrinklingStresses wrinkling;
-          if (is_core(ply) != is_of_core(criterion))
+          if (is_core(ply) != (criterion == Criterion::core_shear ||
+                               criterion == Criterion::core_crushing))
             continue;
           if (criterion == Criterion::face_wrinkling)
             {
@@ -330,7 +288,7 @@ namespace lamella
     std::string why;
     for (const Load &load : loads)
       for (const Region &region : load.on)
-        if (region.body == worst->body && is_on_line_or_point(region, x, near))
+        if (region.body == worst->body && region.has_point_at(x, near))
           why = "load " + load.name + " acts on a line or point there";
     for (const PrescribedFunctional &row :
          prescribed_functionals(supports, bodies))

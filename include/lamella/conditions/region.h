@@ -61,6 +61,12 @@ namespace lamella
     is_several_surfaces() const;
   };
 
+  /// Returns the distance of @p x from the segment between @p begin and @p end.
+  double
+  distance_to_segment(const dealii::Point<3> &x,
+                      const dealii::Point<3> &begin,
+                      const dealii::Point<3> &end);
+
   /// Names of region kinds in parameter files. Surfaces use their own names.
   template <>
   struct Names<Region::Kind>
