@@ -33,10 +33,7 @@ namespace lamella
       void
       add_forces(const double factor, const Vector &u, Vector &f) const override
       {
-        std::vector<Tensor<1, 3>> scaled = forces;
-        for (Tensor<1, 3> &force : scaled)
-          force *= factor;
-        points.add_forces(scaled, u, f);
+        points.add_forces(forces, factor, u, f);
       }
 
       void
@@ -142,10 +139,7 @@ namespace lamella
       void
       add_forces(const double factor, const Vector &u, Vector &f) const override
       {
-        std::vector<Tensor<1, 3>> forces = couple.forces(moved(u));
-        for (Tensor<1, 3> &force : forces)
-          force *= factor;
-        points.add_forces(forces, u, f);
+        points.add_forces(couple.forces(moved(u)), factor, u, f);
       }
 
       void
@@ -155,12 +149,9 @@ namespace lamella
                      Vector       &f) const override
       {
         const std::vector<Point<3>> x = moved(u);
-        std::vector<Tensor<1, 3>>   forces =
-          couple.change(x, points.changes(u, w));
-        for (Tensor<1, 3> &force : forces)
-          force *= factor;
+        const auto forces             = couple.change(x, points.changes(u, w));
         if (is_root_process())
-          points.add_forces(forces, u, f);
+          points.add_forces(forces, factor, u, f);
         points.add_rotated_forces(couple.forces(x), factor, u, w, f);
       }
 

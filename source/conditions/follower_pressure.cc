@@ -54,6 +54,7 @@ namespace lamella
       {
         for (const Facet &facet : facets)
           facet.nodes.add_forces(forces_on(facet, facet.moved(u), factor),
+                                 1.,
                                  u,
                                  f);
       }
@@ -74,7 +75,7 @@ namespace lamella
               for (unsigned int j = 0; j < K.n(); ++j)
                 forces[i / 3][i % 3] -= K(i, j) * by[j / 3][j % 3];
             if (is_root_process())
-              facet.nodes.add_forces(forces, u, f);
+              facet.nodes.add_forces(forces, 1., u, f);
             facet.nodes.add_rotated_forces(
               forces_on(facet, now, factor), 1., u, w, f);
           }
@@ -281,13 +282,14 @@ namespace lamella
 
   void
   CurrentPoints::add_forces(const std::vector<Tensor<1, 3>> &forces,
+                            const double                     factor,
                             const Vector                    &u,
                             Vector                          &f) const
   {
     const auto at = rows(u);
     for (unsigned int k = 0; k < at.size(); ++k)
       for (unsigned int c = 0; c < 3; ++c)
-        at[k][c].add_to(f, forces[k][c]);
+        at[k][c].add_to(f, factor * forces[k][c]);
   }
 
 

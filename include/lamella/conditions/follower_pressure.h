@@ -33,9 +33,11 @@ namespace lamella
     std::vector<dealii::Tensor<1, 3>>
     displacements(const Vector &u) const;
 
-    /// Adds the generalized forces of the point @p forces at @p u to f.
+    /// Adds @p factor times the generalized forces of the point @p forces at @p
+    /// u to f.
     void
     add_forces(const std::vector<dealii::Tensor<1, 3>> &forces,
+               const double                             factor,
                const Vector                            &u,
                Vector                                  &f) const;
 
