@@ -108,63 +108,6 @@ namespace lamella
 
 
 
-    /// The kind of each alternative of SectionShape.
-    struct KindOf
-    {
-      ShapeKind
-      operator()(const Laminate &) const
-      {
-        return ShapeKind::laminate;
-      }
-
-      ShapeKind
-      operator()(const HalfDisc &) const
-      {
-        return ShapeKind::half_disc;
-      }
-
-      ShapeKind
-      operator()(const Ellipse &) const
-      {
-        return ShapeKind::ellipse;
-      }
-
-      ShapeKind
-      operator()(const ThinWalled &walls) const
-      {
-        return walls.form;
-      }
-
-      ShapeKind
-      operator()(const Tube &) const
-      {
-        return ShapeKind::tube;
-      }
-
-      ShapeKind
-      operator()(const SectionFile &) const
-      {
-        return ShapeKind::file;
-      }
-    };
-
-
-
-    /// The one ply of a homogeneous section between @p bottom and @p top.
-    Ply
-    single_ply(const OrientedMaterial &oriented_material,
-               const double            top,
-               const Materials        &materials)
-    {
-      return {oriented_material.material,
-              oriented_material.angle,
-              0.,
-              top,
-              materials.at(oriented_material.material)};
-    }
-
-
-
     /// Polar coordinates (r, angle) of an ellipse about a center, r = 1 on its
     /// edge. Unlike EllipticalManifold's they include the circle.
     class EllipseManifold : public ChartManifold<2, 2, 2>
@@ -259,20 +202,15 @@ namespace lamella
 
 
 
-  ShapeKind
-  kind_of(const SectionShape &shape)
-  {
-    return std::visit(KindOf(), shape);
-  }
-
-
-
   std::shared_ptr<const SectionMesh>
   make_section_mesh(const Ellipse &ellipse, const Materials &materials)
   {
     auto section   = std::make_shared<SectionMesh>();
-    section->plies = {
-      single_ply(ellipse.oriented_material, ellipse.height, materials)};
+    section->plies = {{ellipse.oriented_material.material,
+                       ellipse.oriented_material.angle,
+                       0.,
+                       ellipse.height,
+                       materials.at(ellipse.oriented_material.material)}};
 
     Triangulation<2> disc;
     GridGenerator::hyper_ball_balanced(disc);

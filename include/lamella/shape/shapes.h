@@ -8,6 +8,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -270,15 +271,19 @@ namespace lamella
   using SectionShape =
     std::variant<Laminate, HalfDisc, Ellipse, ThinWalled, Tube, SectionFile>;
 
-  /// Returns the kind of shape that @p shape holds.
-  ShapeKind
-  kind_of(const SectionShape &shape);
-
   /// Returns the name of the shape in parameter files, e.g. `half disc`.
   inline std::string
   name_of(const SectionShape &shape)
   {
-    return name_of(kind_of(shape));
+    // In the order of SectionShape.
+    constexpr std::array<ShapeKind, 6> kinds{{ShapeKind::laminate,
+                                              ShapeKind::half_disc,
+                                              ShapeKind::ellipse,
+                                              ShapeKind::undefined,
+                                              ShapeKind::tube,
+                                              ShapeKind::file}};
+    const auto                        *walls = std::get_if<ThinWalled>(&shape);
+    return name_of(walls != nullptr ? walls->form : kinds[shape.index()]);
   }
 
   /// Returns the mesh of @p shape, with manifolds on arcs. Throws
