@@ -142,14 +142,6 @@ namespace lamella
 
 
 
-    double
-    height_of(const Beam &beam)
-    {
-      return beam.section().extents().first;
-    }
-
-
-
     /// Returns y of the smallest gap: the vertex of the parabola through the
     /// lowest row and its neighbors.
     double
@@ -303,7 +295,7 @@ namespace lamella
               const GradingRules                  &rules)
     {
       const Beam               &beam = *beams_of(bodies)[number];
-      const double              H    = height_of(beam);
+      const double              H    = beam.section().extents().first;
       std::vector<ShortElement> places;
       for (const Support &support : supports)
         add_condition_places(
@@ -374,32 +366,6 @@ namespace lamella
 
 
 
-    std::vector<ContactInterface>
-    interfaces_of(const std::vector<ContactPair> &contacts,
-                  const Bodies                   &bodies)
-    {
-      std::vector<ContactInterface> interfaces;
-      for (const ContactPair &contact : contacts)
-        interfaces.push_back(make_interface(contact, bodies));
-      return interfaces;
-    }
-
-
-
-    /// Returns the number of equal elements for the search of a contact.
-    unsigned int
-    elements_for_search(const double        length,
-                        const double        height,
-                        const GradingRules &rules)
-    {
-      return static_cast<unsigned int>(
-        std::clamp(std::ceil(rules.search_elements * length / height),
-                   rules.min_search_elements,
-                   rules.max_search_elements));
-    }
-
-
-
     /// Returns the grading targets of all automatic axes of @p bodies.
     std::vector<GradingTargets>
     grading_targets(const std::vector<BodyDescription> &bodies,
@@ -414,7 +380,9 @@ namespace lamella
       const Bodies plain = plain_beams(bodies, meshes);
       distribute_total_forces(loads, plain);
       apply_temperatures(loads, plain);
-      const auto                  touching = interfaces_of(contacts, plain);
+      std::vector<ContactInterface> touching;
+      for (const ContactPair &contact : contacts)
+        touching.push_back(make_interface(contact, plain));
       std::vector<GradingTargets> targets(bodies.size());
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if (is_automatic(bodies[b]))
@@ -487,8 +455,12 @@ namespace lamella
       return;
     for (BodyDescription &body : bodies)
       if (is_automatic(body))
-        body.axis.elements = {elements_for_search(
-          body.axis.length, height(*meshes.at(body.section)), rules)};
+        // Equal elements, for the search of contacts.
+        body.axis.elements = {static_cast<unsigned int>(
+          std::clamp(std::ceil(rules.search_elements * body.axis.length /
+                               height(*meshes.at(body.section))),
+                     rules.min_search_elements,
+                     rules.max_search_elements))};
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
         const std::vector<GradingTargets> targets = grading_targets(

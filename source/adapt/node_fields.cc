@@ -433,7 +433,10 @@ namespace lamella
         facts_of(beam, b, description, supports, rules),
         find_interactions(
           beam, b, bodies, supports, loads, contacts, rules.interactions),
-        requested_ranges(b, requested)};
+        {}};
+      for (const StressRange &place : requested)
+        if (place.body == b)
+          body.requested.emplace_back(place.begin, place.end);
       for (const LocalInteraction &end :
            heated_free_ends(beam, body.interactions))
         body.interactions.push_back(end);

@@ -119,22 +119,6 @@ namespace lamella
 
 
 
-  std::vector<Vector>
-  SectionFields::tractions_of_warpings() const
-  {
-    std::vector<Vector> tractions;
-    for (unsigned int j = 0; j < warpings.n(); ++j)
-      for (const unsigned int q : {0, 1})
-        {
-          Vector traction(section->n_fields());
-          section->S(1, q).vmult(traction, column_of(warpings, j));
-          tractions.push_back(traction);
-        }
-    return tractions;
-  }
-
-
-
   unsigned int
   SectionFields::group_of(const LocalInteraction &interaction)
   {
@@ -148,8 +132,15 @@ namespace lamella
                 interaction.constrains_section};
     if (interaction.constrains_section)
       {
-        group.loads = tractions_of_warpings();
+        // A clamp without modes: the tractions S_10 w and S_11 w of each
+        // Saint-Venant warping w.
+        group.loads.clear();
         group.smooth.clear();
+        for (unsigned int j = 0; j < warpings.n(); ++j)
+          for (const unsigned int q : {0, 1})
+            section->S(1, q).vmult(group.loads.emplace_back(
+                                     section->n_fields()),
+                                   column_of(warpings, j));
       }
     for (unsigned int g = 0; g < groups.size(); ++g)
       if (groups[g].has_same_loads(group))
@@ -226,22 +217,13 @@ namespace lamella
 
 
 
-  bool
-  SectionFields::has_thin_walls() const
-  {
-    const auto [smaller, larger] = section->extents();
-    return section->area() < rules.thin_walls * smaller * larger;
-  }
-
-
-
   std::vector<double>
   SectionFields::wave_numbers(const double highest) const
   {
-    const double larger = section->extents().second,
-                 lowest = rules.lowest_wave / larger,
-                 last   = std::max(highest, rules.min_wave_ratio * lowest);
-    if (!has_thin_walls())
+    const auto [smaller, larger] = section->extents();
+    const double lowest          = rules.lowest_wave / larger,
+                 last = std::max(highest, rules.min_wave_ratio * lowest);
+    if (section->area() >= rules.thin_walls * smaller * larger)
       return geometric_sequence(lowest, last, theory.order);
     // Down to what walls need in no larger steps.
     const double first = rules.lowest_wave_of_walls / larger;
@@ -301,8 +283,12 @@ namespace lamella
     if (near.empty())
       {
         list = saint_venant_list();
+        std::vector<Vector> smooth;
+        for (const Group &group : groups)
+          smooth.insert(smooth.end(), group.far.begin(), group.far.end());
         if (uses_responses())
-          fresh = far_fields();
+          fresh =
+            warping.basis(smooth, warpings, warpings, rules.far_tolerance);
       }
     else
       {
@@ -327,17 +313,6 @@ namespace lamella
       list.push_back(section->n_fields() + modes.n() + j);
     modes              = beside(modes, fresh);
     return lists[near] = list;
-  }
-
-
-
-  FieldColumns
-  SectionFields::far_fields() const
-  {
-    std::vector<Vector> smooth;
-    for (const Group &group : groups)
-      smooth.insert(smooth.end(), group.far.begin(), group.far.end());
-    return warping.basis(smooth, warpings, warpings, rules.far_tolerance);
   }
 
 

@@ -35,17 +35,4 @@ namespace lamella
       places.push_back({cut.body, cut.position, cut.position});
     return places;
   }
-
-
-
-  std::vector<std::pair<double, double>>
-  requested_ranges(const unsigned int              body,
-                   const std::vector<StressRange> &requested)
-  {
-    std::vector<std::pair<double, double>> places;
-    for (const StressRange &place : requested)
-      if (place.body == body)
-        places.emplace_back(place.begin, place.end);
-    return places;
-  }
 } // namespace lamella

@@ -20,19 +20,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  namespace
-  {
-    FE_Q<1>
-    make_element(const AxisMesh &description)
-    {
-      if (description.equidistant_nodes)
-        return FE_Q<1>(QIterated<1>(QTrapezoid<1>(), description.degree));
-      return FE_Q<1>(description.degree);
-    }
-  } // namespace
-
-
-
   std::vector<double>
   element_lengths(const AxisMesh &description)
   {
@@ -57,7 +44,9 @@ namespace lamella
            Triangulation<1>::none,
            false,
            parallel::shared::Triangulation<1>::partition_custom_signal)
-    , fe(make_element(description))
+    , fe(description.equidistant_nodes ?
+           FE_Q<1>(QIterated<1>(QTrapezoid<1>(), description.degree)) :
+           FE_Q<1>(description.degree))
     , dof_handler(mesh)
   {
     make_mesh();

@@ -77,11 +77,6 @@ namespace lamella
                 const std::vector<Line>  &lines,
                 const std::vector<Cut>   &cuts);
 
-  /// Returns begin and end of those ranges @p requested on body number @p body.
-  std::vector<std::pair<double, double>>
-  requested_ranges(const unsigned int              body,
-                   const std::vector<StressRange> &requested);
-
   /// Replaces bodies of the theories SV and SV-N, and those with `Theories`, by
   /// bodies with the section functions that loads, supports and contacts excite
   /// (doc/theory/saint-venant-fields.md). @p bodies are those of make_bodies()

@@ -131,8 +131,6 @@ namespace lamella
     const std::vector<unsigned int> &
     zones_of(const ConstrainedSection &held);
 
-    bool
-    has_thin_walls() const;
     /// Returns the ascending wave numbers of harmonic loads up to @p highest.
     std::vector<double>
     wave_numbers(const double highest) const;
@@ -145,15 +143,7 @@ namespace lamella
     }
     /// Computes the functions of all groups, one factorization per wave number.
     void
-    find_responses();
-    /// Returns load vectors for a clamp without modes: the tractions S_10 w and
-    /// S_11 w of each Saint-Venant warping w.
-    std::vector<Vector>
-    tractions_of_warpings() const;
-    /// Returns a basis of the functions from smooth loads, for distant nodes.
-    FieldColumns
-    far_fields() const;
-
+                                   find_responses();
     std::shared_ptr<const Section> section;
     Theory                         theory;
     FieldRules                     rules;
