@@ -17,18 +17,6 @@ namespace lamella
   {
     for (unsigned int j = 0; j < modes.n(); ++j)
       std::copy_n(beam.fields().mode(j), modes.m(), &modes(0, j));
-    add_stations();
-    const QGauss<2> quadrature(
-      std::max(2U, beam.section().element().n_gauss_points() - 1));
-    for (unsigned int c = 0; c < beam.section().n_cells(); ++c)
-      add_cell(c, quadrature);
-  }
-
-
-
-  void
-  BeamGeometricStiffness::add_stations()
-  {
     const Axis &axis        = beam.axis();
     const auto [begin, end] = axis.own_cells();
     for (unsigned int cell = begin; cell < end; ++cell)
@@ -38,6 +26,10 @@ namespace lamella
           lengths.push_back(samples.weight(s) *
                             (axis.cell_end(cell) - axis.cell_begin(cell)));
         }
+    const QGauss<2> quadrature(
+      std::max(2U, beam.section().element().n_gauss_points() - 1));
+    for (unsigned int c = 0; c < beam.section().n_cells(); ++c)
+      add_cell(c, quadrature);
   }
 
 

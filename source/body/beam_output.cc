@@ -14,24 +14,6 @@ namespace lamella
 {
   using namespace dealii;
 
-  FieldSample
-  Beam::field_sample(PointState          state,
-                     const SectionPoint &point,
-                     const Point<3>     &x) const
-  {
-    const ElasticLaw law = law_at(point.cell, point.position, x);
-    state.strain += beam_section->completion_of_initial(point.cell,
-                                                        point.position,
-                                                        law.initial_strain());
-    return sample_of(state.displacement,
-                     state.strain,
-                     placement,
-                     beam_section->ply_axes(point.cell, point.position),
-                     law);
-  }
-
-
-
   Beam::PointState
   Beam::point_state(const SectionPoint &point,
                     const AxisPoint    &on_axis,
@@ -71,10 +53,20 @@ namespace lamella
                   const AxisPoint    &on_axis,
                   const Vector       &u) const
   {
-    return field_sample(point_state(point, on_axis, u),
-                        point,
-                        placement.to_scene(
-                          {point.position[0], on_axis.y, point.position[1]}));
+    PointState       state = point_state(point, on_axis, u);
+    const ElasticLaw law =
+      law_at(point.cell,
+             point.position,
+             placement.to_scene(
+               {point.position[0], on_axis.y, point.position[1]}));
+    state.strain += beam_section->completion_of_initial(point.cell,
+                                                        point.position,
+                                                        law.initial_strain());
+    return sample_of(state.displacement,
+                     state.strain,
+                     placement,
+                     beam_section->ply_axes(point.cell, point.position),
+                     law);
   }
 
 

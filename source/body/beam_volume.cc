@@ -62,15 +62,6 @@ namespace lamella
 
 
 
-  Voigt
-  Beam::expansion_at(const SectionPoint &point) const
-  {
-    const Ply &ply = beam_section->plies()[beam_section->cell_ply(point.cell)];
-    return ply.expansion(point.position);
-  }
-
-
-
   void
   Beam::for_each_thermal_point(
     const std::function<
@@ -78,7 +69,9 @@ namespace lamella
   {
     beam_section->for_each_point([&](const SectionPoint &point,
                                      const double        weight) {
-      const Voigt alpha = expansion_at(point);
+      const Voigt alpha =
+        beam_section->plies()[beam_section->cell_ply(point.cell)].expansion(
+          point.position);
       const Voigt active =
         alpha -
         beam_section->completion_of_initial(point.cell, point.position, alpha);

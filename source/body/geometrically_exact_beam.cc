@@ -42,12 +42,6 @@ namespace lamella
 
 
 
-    std::shared_ptr<const SectionSpace>
-    no_modes(std::shared_ptr<const Section> section)
-    {
-      return std::make_shared<SectionSpace>(std::move(section));
-    }
-
     /// Returns @p section, or for a rigid one an LE-2 section of the same mesh.
     std::shared_ptr<const Section>
     with_warping(const std::shared_ptr<const Section> &section)
@@ -133,7 +127,7 @@ namespace lamella
     const std::string                    &theory,
     const bool                            keeps_normal)
     : GeometricallyExactBeam(name,
-                             no_modes(section),
+                             std::make_shared<SectionSpace>(section),
                              axis,
                              placement,
                              all_fields_at_each_node(*section, *axis),
@@ -165,32 +159,25 @@ namespace lamella
         throw InputError(
           "body.theory-without-rotating-sections: "
           "geometrically exact beams (sections with finite rotations) need Theory = EBBT, TBT, SV or SV-N.");
-    make_stations();
+    // Gauss rule with as many points as the degree: reduced integration against
+    // shear locking (Zienkiewicz, Taylor and Too, Int. J. Numer. Meth. Eng. 3
+    // (1971) 275-290; for this beam, Simo and Vu-Quoc).
+    const QGauss<1> rule(this->axis().degree());
+    for (unsigned int cell = 0; cell < this->axis().n_cells(); ++cell)
+      {
+        stations.emplace_back();
+        for (unsigned int k = 0; k < rule.size(); ++k)
+          stations.back().push_back(
+            {this->axis().evaluate(cell, rule.point(k)[0]),
+             rule.weight(k) *
+               (this->axis().cell_end(cell) - this->axis().cell_begin(cell))});
+      }
     const SaintVenant states(*deformable_section);
     twist_stretch = std::make_unique<TwistStretch>(states);
     make_laws(keeps_normal);
     // c of M = D k (1 + c k^2), less Wagner's share, which the law contains.
     stiffening = stiffening_by_shape(states);
     stiffening[1] -= twist_stretch->stiffening();
-  }
-
-
-
-  // Gauss rule with as many points as the degree: reduced integration against
-  // shear locking (Zienkiewicz, Taylor and Too, Int. J. Numer. Meth. Eng. 3
-  // (1971) 275-290; for this beam, Simo and Vu-Quoc).
-  void
-  GeometricallyExactBeam::make_stations()
-  {
-    const QGauss<1> rule(axis().degree());
-    for (unsigned int cell = 0; cell < axis().n_cells(); ++cell)
-      {
-        const double length = axis().cell_end(cell) - axis().cell_begin(cell);
-        stations.emplace_back();
-        for (unsigned int k = 0; k < rule.size(); ++k)
-          stations.back().push_back(
-            {axis().evaluate(cell, rule.point(k)[0]), length * rule.weight(k)});
-      }
   }
 
 

@@ -381,17 +381,6 @@ namespace lamella
                 const AxisPoint    &on_axis,
                 const Vector       &u) const;
 
-    /// Returns the thermal expansion alpha of the ply at @p point.
-    Voigt
-    expansion_at(const SectionPoint &point) const;
-
-    /// Returns the FieldSample with displacement and strain of @p state at
-    /// @p point, which is at @p x in the scene.
-    FieldSample
-    field_sample(PointState              state,
-                 const SectionPoint     &point,
-                 const dealii::Point<3> &x) const;
-
     /// Returns thermal_forces() at the integration points of this process.
     std::vector<SectionForces>
     thermal_forces() const;

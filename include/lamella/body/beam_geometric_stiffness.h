@@ -86,8 +86,6 @@ namespace lamella
     };
 
     void
-    add_stations();
-    void
     add_cell(const unsigned int           number,
              const dealii::Quadrature<2> &quadrature);
     /// Sets component @p c of the section functions at point @p p of @p cell.

@@ -195,8 +195,6 @@ namespace lamella
     };
 
     void
-    make_stations();
-    void
     make_laws(const bool keeps_normal);
     std::shared_ptr<Law>
     make_law(const SectionOperator &section_operator) const;
