@@ -189,12 +189,6 @@ namespace lamella
       }
 
       double
-      condition_estimate() const override
-      {
-        return 0.;
-      }
-
-      double
       largest_diagonal() const override
       {
         double greatest = 0.;

@@ -165,12 +165,6 @@ namespace lamella
       }
 
       double
-      condition_estimate() const override
-      {
-        return 0.;
-      }
-
-      double
       largest_diagonal() const override
       {
         return greatest;

@@ -163,9 +163,10 @@ namespace lamella
           }
       }
     const DenseLU factor(std::move(A), n);
-    if (!factor.is_singular())
+    const int     sign = factor.sign_of_determinant();
+    if (sign != 0)
       factor.solve(x);
-    return factor.sign_of_determinant();
+    return sign;
   }
 
 

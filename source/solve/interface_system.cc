@@ -107,7 +107,7 @@ namespace lamella
                          const GapConstraints  &rows)
     : tangent_operator(tangent_operator)
     , rows(rows)
-    , place(rows.end_of_slips(), dealii::numbers::invalid_unsigned_int)
+    , place(3 * rows.size(), dealii::numbers::invalid_unsigned_int)
   {
     for (unsigned int b = 0; b < tangent_operator.of().bodies().size(); ++b)
       bodies.push_back({tangent_operator.solver(b).solved_rows(), {}});

@@ -15,13 +15,6 @@ namespace lamella
     /// Factorizes the n x n @p matrix, stored by columns; @p n may be zero.
     DenseLU(std::vector<double> matrix, const unsigned int n);
 
-    /// Returns true if a pivot is exactly zero.
-    bool
-    is_singular() const
-    {
-      return singular;
-    }
-
     /// Returns the ratio of the smallest to the largest |pivot|; 0 if singular.
     double
     pivot_ratio() const;

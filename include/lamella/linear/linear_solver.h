@@ -165,7 +165,10 @@ namespace lamella
 
     /// Returns a lower bound of the condition number of A; 0 if unknown.
     virtual double
-    condition_estimate() const = 0;
+    condition_estimate() const
+    {
+      return 0.;
+    }
 
     /// Returns the kind of solver, its memory and its cumulative iterations.
     virtual SolverStatistics
