@@ -3,7 +3,6 @@
 #include <lamella/contact/contact_traction.h>
 #include <lamella/contact/gap_constraints.h>
 
-#include <algorithm>
 
 namespace lamella
 {
@@ -169,16 +168,5 @@ namespace lamella
                      point.place[strip->axis] < strip->to))
         sum += point.energy;
     return sum;
-  }
-
-
-
-  double
-  ContactTraction::largest_pressure() const
-  {
-    double largest = 0.;
-    for (const Row &row : all)
-      largest = std::max(largest, row.force / row.area);
-    return largest;
   }
 } // namespace lamella

@@ -143,17 +143,6 @@ namespace lamella
 
 
 
-    /// None for auto.
-    std::optional<double>
-    parse_search_distance(const Entry &distance)
-    {
-      if (distance.text() == "auto")
-        return {};
-      return distance.positive();
-    }
-
-
-
     double
     parse_tolerance(const Entry &tolerance)
     {
@@ -337,10 +326,11 @@ namespace lamella
         "Write auto, or name a cylinder of Obstacles in Second.");
     else if (contact.discretization == Discretization::edge_to_surface)
       check_edges(contact, in);
-    contact.search_distance = parse_search_distance(in["Search distance"]);
-    contact.penalty         = parse_penalty(in);
-    contact.tolerance       = parse_tolerance(in["Tolerance"]);
-    contact.friction        = parse_friction(in["Friction"]);
+    if (in["Search distance"].text() != "auto")
+      contact.search_distance = in["Search distance"].positive();
+    contact.penalty   = parse_penalty(in);
+    contact.tolerance = parse_tolerance(in["Tolerance"]);
+    contact.friction  = parse_friction(in["Friction"]);
     return contact;
   }
 

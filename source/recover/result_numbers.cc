@@ -321,7 +321,8 @@ namespace lamella
         if (kind == 'd')
           largest = std::max(largest, traction.dissipated());
         if (kind == 'p')
-          largest = std::max(largest, traction.largest_pressure());
+          for (const ContactTraction::Row &row : traction.rows())
+            largest = std::max(largest, row.force / row.area);
         if (kind == 'w')
           for (unsigned int d = 0; d < 3; ++d)
             largest = std::max(largest, patch.width(d));

@@ -21,36 +21,12 @@ namespace lamella
 
 
 
-  void
-  throw_unstable()
-  {
-    throw NumericsError(
-      std::string(
-        "solve.friction-unstable: The equilibrium with friction is unstable: "
-        "bodies that touch at their ends jam") +
-      friction_remedy);
-  }
-
-
-
   double
   FrictionState::all_dissipated() const
   {
     double sum = 0.;
     for (const auto &[point, of] : history)
       sum += of.dissipated;
-    return sum;
-  }
-
-
-
-  double
-  FrictionState::dissipated_in(const unsigned int contact) const
-  {
-    double sum = 0.;
-    for (const auto &[point, of] : history)
-      if (point.first == contact)
-        sum += of.dissipated;
     return sum;
   }
 

@@ -103,18 +103,6 @@ namespace lamella
 
 
 
-    /// Components of @p missed over the square root of the stiffness.
-    double
-    scaled_norm_square(const Trial &at, const Tensor<1, 3> &missed)
-    {
-      double sum = 0.;
-      for (unsigned int c = 0; c < 3; ++c)
-        sum += missed[c] * missed[c] / at.D[c][c];
-      return sum;
-    }
-
-
-
     /// Newton's method of solve_interface().
     class InterfaceNewton
     {
@@ -246,7 +234,9 @@ namespace lamella
                   lambda[i] + t * (step.force[i] - lambda[i]);
                 const Trial at =
                   trial(points, i, there, v[i] + t * step.change[i]);
-                size += scaled_norm_square(at, at.missed(there));
+                const Tensor<1, 3> missed = at.missed(there);
+                for (unsigned int c = 0; c < 3; ++c)
+                  size += missed[c] * missed[c] / at.D[c][c];
               }
             if (size < least)
               {

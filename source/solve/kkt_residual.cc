@@ -19,16 +19,6 @@ namespace lamella
 
 
 
-  Wrench
-  BodyForces::about_origin(const Wrench &about_center) const
-  {
-    return {about_center.force,
-            about_center.moment +
-              cross_product_3d(body.center(), about_center.force)};
-  }
-
-
-
   void
   BodyForces::add(const Wrench &about_center)
   {
@@ -134,7 +124,10 @@ namespace lamella
                    const ConstraintForces &forces,
                    KktResidual            &kkt)
     {
-      kkt.dissipated = forces.friction.dissipated_in(forces.contact);
+      kkt.dissipated = 0.;
+      for (const auto &[point, of] : forces.friction.history)
+        if (point.first == forces.contact)
+          kkt.dissipated += of.dissipated;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
           if (forces.normal[k] == 0.)
@@ -248,7 +241,9 @@ namespace lamella
       kkt.of_rows = std::move(from_second ? on_second : on_first);
       for (Wrench &wrench : kkt.of_rows)
         {
-          wrench = seen_by.about_origin(wrench);
+          // From the center of the body to the origin of the scene.
+          wrench.moment +=
+            cross_product_3d(seen_by.body.center(), wrench.force);
           if (!from_second)
             wrench = {-wrench.force, -wrench.moment};
         }

@@ -340,7 +340,14 @@ namespace lamella
     std::vector<std::pair<unsigned int, unsigned int>> points;
     for (unsigned int r = 0; r < numbered.size(); ++r)
       points.push_back(numbered.material_point(r));
-    store_slips(factor, state);
+    // The slips of the step, before surfaces are paired anew.
+    for (unsigned int r = 0; r < state.friction.shear.size(); ++r)
+      {
+        const auto [c, k]      = numbered.contact_of_row(r);
+        FrictionHistory &point = state.friction.history[points[r]];
+        point.position         = place_of(all[c].points[k]);
+        point.slid = slip_in_step(numbered[r], r, state, factor).norm();
+      }
     bool any = false;
     for (unsigned int c = 0; c < all.size(); ++c)
       {
@@ -364,21 +371,6 @@ namespace lamella
     if (any)
       renumber(points, state);
     return any;
-  }
-
-
-
-  void
-  MovingContacts::store_slips(const LoadFactor &factor, State &state) const
-  {
-    FrictionState &of = state.friction;
-    for (unsigned int r = 0; r < of.shear.size(); ++r)
-      {
-        const auto [c, k]      = numbered.contact_of_row(r);
-        FrictionHistory &point = of.history[numbered.material_point(r)];
-        point.position         = place_of(all[c].points[k]);
-        point.slid = slip_in_step(numbered[r], r, state, factor).norm();
-      }
   }
 
 

@@ -167,7 +167,10 @@ namespace lamella
     const auto              answer = [&](const BlockVector &w) {
       BlockVector x = structure.zero(),
                   f = rotation_of_constraints(state, u, w, to);
-      add_spring_forces(regularization_factor, w, f);
+      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+        for (const auto &[row, stiffness] : structure.spring_terms(b))
+          row.add_to(f.block(b),
+                     regularization_factor * stiffness * row(w.block(b)));
       strategy.solve(closed, f, held, x, forces);
       return x;
     };
@@ -223,7 +226,10 @@ namespace lamella
                                    const LoadFactor   &to) const
   {
     if (last.is_unstable)
-      throw_unstable();
+      throw NumericsError(
+        std::string("solve.friction-unstable: The equilibrium with friction is "
+                    "unstable: bodies that touch at their ends jam") +
+        friction_remedy);
     if (linear != nullptr)
       return;
     BlockVector way = state.u, from_tangent = state.u;

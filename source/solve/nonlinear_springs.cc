@@ -103,20 +103,6 @@ namespace lamella
 
 
 
-    /// Norm of loads plus sum of the contact forces of @p state at @p to.
-    double
-    size_of_forces(const Structure  &structure,
-                   const State      &state,
-                   const LoadFactor &to)
-    {
-      double size = structure.load(to, state.u).l2_norm();
-      for (const double force : state.force)
-        size += std::abs(force);
-      return size;
-    }
-
-
-
     /// Displacements due to each of @p loads about the state of @p about, with
     /// the active @p rows of @p state held. Displacements K_c^-1 f with active
     /// constraints fixed.
@@ -234,20 +220,6 @@ namespace lamella
 
 
 
-  // S w = sum_k c s_k r_k^T (r_k w), c the regularization factor.
-  void
-  NonlinearSolver::add_spring_forces(const double       regularization_factor,
-                                     const BlockVector &w,
-                                     BlockVector       &f) const
-  {
-    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-      for (const auto &[row, stiffness] : structure.spring_terms(b))
-        row.add_to(f.block(b),
-                   regularization_factor * stiffness * row(w.block(b)));
-  }
-
-
-
   // Energy criterion of NonlinearSolver::check_supports(): second variation of
   // the energy in the subspace V = C R^T of motions that only springs restrain;
   // it is negative for an unstable equilibrium.
@@ -255,7 +227,9 @@ namespace lamella
   NonlinearSolver::check_supports(const State      &state,
                                   const LoadFactor &to) const
   {
-    const double pressing = size_of_forces(structure, state, to);
+    double pressing = structure.load(to, state.u).l2_norm();
+    for (const double force : state.force)
+      pressing += std::abs(force);
     if (contacts.rows().has_friction() || pressing == 0.)
       return false;
     // Bodies without strain have rounding for stresses: nothing to check.

@@ -339,7 +339,17 @@ namespace lamella
     factor->factorize(std::move(all.values));
     factorized_for = terms;
     is_factorized  = true;
-    update_penalty_ratio(terms);
+    for (const PenaltyTerm &term : terms)
+      {
+        if (term.of != term.on)
+          continue;
+        const double soft = local_compliance(term.of);
+        if (soft * term.weight > largest_penalty_ratio)
+          {
+            largest_penalty_ratio    = soft * term.weight;
+            penalty_of_largest_ratio = term.weight;
+          }
+      }
   }
 
 
@@ -408,24 +418,6 @@ namespace lamella
     for (const auto &[dof, weight] : free.entries())
       soft += weight * weight / diagonal[dof];
     return soft;
-  }
-
-
-
-  void
-  PenaltyMatrix::update_penalty_ratio(const std::vector<PenaltyTerm> &terms)
-  {
-    for (const PenaltyTerm &term : terms)
-      {
-        if (term.of != term.on)
-          continue;
-        const double soft = local_compliance(term.of);
-        if (soft * term.weight > largest_penalty_ratio)
-          {
-            largest_penalty_ratio    = soft * term.weight;
-            penalty_of_largest_ratio = term.weight;
-          }
-      }
   }
 
 

@@ -30,17 +30,6 @@ namespace lamella
 
 
 
-    std::vector<std::string>
-    names_of(const std::vector<Support> &supports)
-    {
-      std::vector<std::string> names;
-      for (const Support &support : supports)
-        names.push_back(support.name);
-      return names;
-    }
-
-
-
     /// @p rows with the values of @p history, the others zero.
     std::vector<PrescribedFunctional>
     of_history(std::vector<PrescribedFunctional> rows,
@@ -68,7 +57,9 @@ namespace lamella
   {
     check_rigid_motions(stabilizations);
     const std::vector<PrescribedFunctional> of_scene = of_history(rows, 0);
-    const std::vector<std::string>          names    = names_of(supports);
+    std::vector<std::string>                names;
+    for (const Support &support : supports)
+      names.push_back(support.name);
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         reductions.push_back(

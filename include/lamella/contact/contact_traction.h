@@ -105,10 +105,6 @@ namespace lamella
     double
     dissipated(const std::optional<ContactStrip> &strip = {}) const;
 
-    /// Returns the largest ratio of force to tributary area of a contact point.
-    double
-    largest_pressure() const;
-
     /// Returns the contact points with their forces.
     const std::vector<Row> &
     rows() const

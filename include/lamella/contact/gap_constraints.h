@@ -230,13 +230,6 @@ namespace lamella
       return size() + 2 * row + tangent;
     }
 
-    /// Returns one more than the largest possible index of a slip (slip()).
-    unsigned int
-    end_of_slips() const
-    {
-      return 3 * size();
-    }
-
     /// Returns the index of the constraint to which entry @p number belongs in
     /// a list of all gaps, then all slips (two per constraint).
     unsigned int

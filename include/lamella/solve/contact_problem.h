@@ -75,10 +75,6 @@ namespace lamella
     /// Returns the energy dissipated by friction, summed over all points.
     double
     all_dissipated() const;
-    /// Returns the energy dissipated by friction in the contact @p contact.
-    double
-    dissipated_in(const unsigned int contact) const;
-
     /// Returns the friction variables of the unloaded scene: initial gaps of
     /// the constraints @p rows; zero forces, slips and energies.
     static FrictionState
@@ -88,10 +84,6 @@ namespace lamella
   /// Last sentence of error messages if a friction solution is not found.
   constexpr const char *friction_remedy =
     ". Try more Substeps, a smaller step in Load factors, or a softer penalty.";
-
-  /// Throws NumericsError: the equilibrium with friction is unstable.
-  [[noreturn]] void
-  throw_unstable();
 
   /// Returns the components of @p vector (scene axes) along the two tangents of
   /// the contact constraint @p row; zero if it has no friction.

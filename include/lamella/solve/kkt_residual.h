@@ -57,10 +57,6 @@ namespace lamella
       return about_center;
     }
 
-    /// Converts the moment of @p about_center from body center to scene origin.
-    Wrench
-    about_origin(const Wrench &about_center) const;
-
     /// Adds a force and its moment about the body center to the sum.
     void
     add(const Wrench &about_center);

@@ -233,10 +233,6 @@ namespace lamella
     /// Returns true if the bodies of contact @p c have any contact force.
     bool
     has_contact_force(const unsigned int c, const State &state) const;
-    /// Stores the slips of the step in the history of @p state, before surfaces
-    /// are paired anew.
-    void
-    store_slips(const LoadFactor &factor, State &state) const;
     /// Renumbers the constraints after a pairing: those of the material points
     /// @p before keep the forces and friction variables of @p state.
     void

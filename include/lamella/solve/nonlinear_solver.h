@@ -329,13 +329,6 @@ namespace lamella
                          const LoadFactor  &to,
                          State             &state) const;
 
-    /// Adds @p regularization_factor times the forces of the stabilizing
-    /// springs at the displacements @p w to @p f.
-    void
-    add_spring_forces(const double       regularization_factor,
-                      const BlockVector &w,
-                      BlockVector       &f) const;
-
     /// Returns the change of B(u)^T lambda, with constant contact forces lambda
     /// of @p state, due to the increment @p w of the displacements @p u. Uses
     /// central differences of B; zero if a contact point has no projection.

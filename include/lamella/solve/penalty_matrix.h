@@ -118,13 +118,7 @@ namespace lamella
     add_penalty(const PenaltyTerm &term);
     /// Returns the matrix entries of this process; upper half if symmetric.
     MatrixEntries
-    entries() const;
-    /// Updates the largest ratio of a penalty in @p terms to the stiffness of
-    /// the bodies at its constraint, k = 1 / sum(b_i^2 / K_ii), with the
-    /// entries b_i of the gradient and the diagonal K_ii of the stiffness.
-    void
-    update_penalty_ratio(const std::vector<PenaltyTerm> &terms);
-
+                           entries() const;
     const TangentOperator &tangent_operator;
     const Structure       &structure;
     const GapConstraints   rows;
