@@ -89,7 +89,15 @@ namespace lamella
     make_plies();
     for (const unsigned int side : {0, 1})
       is_free[side] = tractions.is_free(body, side_of(number, box, side));
-    decay = torsional_decay();
+    // The length over which torsional warping decays from a free side.
+    double in_plane = 0., out_of_plane = 0.;
+    for (const Layer &layer : layers_at(0.5 * box.size[0], 0.))
+      {
+        const double share = (layer.top - layer.bottom) / box.size[2];
+        in_plane += share * plane_stiffness[layer.ply][0][0];
+        out_of_plane += share * shear_compliance[layer.ply][1][1];
+      }
+    decay = box.size[2] / numbers::PI * std::sqrt(in_plane * out_of_plane);
   }
 
 
@@ -141,21 +149,6 @@ namespace lamella
         plane_stiffness.push_back(Q);
         ply_frames.push_back(ply.axes(Point<2>()));
       }
-  }
-
-
-
-  double
-  EquilibriumStress::torsional_decay() const
-  {
-    double in_plane = 0., out_of_plane = 0.;
-    for (const Layer &layer : layers_at(0.5 * box.size[0], 0.))
-      {
-        const double share = (layer.top - layer.bottom) / box.size[2];
-        in_plane += share * plane_stiffness[layer.ply][0][0];
-        out_of_plane += share * shear_compliance[layer.ply][1][1];
-      }
-    return box.size[2] / numbers::PI * std::sqrt(in_plane * out_of_plane);
   }
 
 

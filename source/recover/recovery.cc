@@ -21,17 +21,6 @@ namespace lamella
 
 
 
-    void
-    set_values_of_sample(const FieldValues &values, FieldSample &sample)
-    {
-      unsigned int k = 0;
-      for (Voigt *part : {&sample.strain, &sample.stress, &sample.ply_stress})
-        for (unsigned int c = 0; c < 6; ++c)
-          (*part)[c] = values[k++];
-    }
-
-
-
     /// The mean edges of the element @p cell, in columns.
     Tensor<2, 3>
     edges(const Body &body, const unsigned int cell)
@@ -101,7 +90,11 @@ namespace lamella
     if (kind == StressValues::element)
       return sample;
     // Continuous, so that one of the places tells it.
-    set_values_of_sample(field(location.ply, location.places.front()), sample);
+    const FieldValues values = field(location.ply, location.places.front());
+    unsigned int      k      = 0;
+    for (Voigt *part : {&sample.strain, &sample.stress, &sample.ply_stress})
+      for (unsigned int c = 0; c < 6; ++c)
+        (*part)[c] = values[k++];
     return sample;
   }
 

@@ -200,25 +200,6 @@ namespace lamella
 
 
 
-    /// Of stresses by equilibrium.
-    void
-    print_defects(std::ostream &out, const Results &results)
-    {
-      for_each_defect(
-        results,
-        results.last().defects,
-        [&out](const std::string &kind,
-               const std::string &name,
-               const double       share) {
-          out << "  " << kind << " " << name
-              << ": equilibrium misses the upper face's traction by "
-              << percent(100. * share)
-              << " of the largest, which is distributed\n";
-        });
-    }
-
-
-
     /// Prints the energy dissipated by friction so far and the error of the
     /// energy balance that finite load steps cause.
     void
@@ -459,7 +440,17 @@ namespace lamella
             << " of the line's largest stress, "
             << percent(100. * step.jumps[l].of_traction)
             << " of its largest traction\n";
-    print_defects(out, results);
+    for_each_defect(results,
+                    step.defects,
+                    [&out](const std::string &kind,
+                           const std::string &name,
+                           const double       share) {
+                      out
+                        << "  " << kind << " " << name
+                        << ": equilibrium misses the upper face's traction by "
+                        << percent(100. * share)
+                        << " of the largest, which is distributed\n";
+                    });
     print_modes(out, results);
     print_reserves(out, results);
     print_probes(out, results);

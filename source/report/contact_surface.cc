@@ -125,16 +125,24 @@ namespace lamella
     : contact(contact)
     , structure(structure)
   {
-    // Slave nodes are known, opposite points by their positions.
-    const std::vector<Location> nodes = point_locations();
-    std::vector<Point<3>>       opposite;
+    // Slave nodes are known, opposite points by their positions. Lines of a
+    // beam touch a roller anywhere.
+    const bool is_line =
+      contact.discretization == Discretization::line_to_roller;
+    const Bodies         &bodies = structure.bodies();
+    const Body           &first  = *bodies[contact.first_body];
+    std::vector<Location> nodes;
+    std::vector<Point<3>> opposite;
     for (const ContactInterface::Point &point : contact.points)
-      opposite.push_back(contact.points_on_second ? point.first : point.second);
-    const Bodies &bodies = structure.bodies();
+      {
+        nodes.push_back(is_line ? first_of(first.locate({point.first}))[0] :
+                                  point.node);
+        opposite.push_back(contact.points_on_second ? point.first :
+                                                      point.second);
+      }
     if (contact.points_on_second)
       {
-        first_locations =
-          first_of(bodies[contact.first_body]->locate(opposite));
+        first_locations  = first_of(first.locate(opposite));
         second_locations = nodes;
       }
     else
@@ -153,22 +161,6 @@ namespace lamella
     for (unsigned int k = 0; k < contact.points.size(); ++k)
       if (in_quads.count(k) == 0)
         alone.push_back(k);
-  }
-
-
-
-  std::vector<Location>
-  ContactSurface::point_locations() const
-  {
-    // Lines of a beam touch a roller anywhere.
-    const bool is_line =
-      contact.discretization == Discretization::line_to_roller;
-    const Body           &first = *structure.bodies()[contact.first_body];
-    std::vector<Location> places;
-    for (const ContactInterface::Point &point : contact.points)
-      places.push_back(is_line ? first_of(first.locate({point.first}))[0] :
-                                 point.node);
-    return places;
   }
 
 

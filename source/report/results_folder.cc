@@ -70,7 +70,13 @@ namespace lamella
         const std::string trial = folder + "/.lamella";
         writes = !error && std::ofstream(trial).put('\n').good();
         fs::remove(trial, error);
-        lock();
+        descriptor = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
+            errno == EWOULDBLOCK)
+          {
+            close(descriptor);
+            descriptor = -1;
+          }
         alone = descriptor >= 0 || !writes;
       }
     if (!true_on_all_processes(writes))
@@ -83,20 +89,6 @@ namespace lamella
         "report.folder-in-use: another run writes into this folder. Wait until "
         "that run ends, or name another folder.")
         .at("--output " + folder + ": ");
-  }
-
-
-
-  void
-  ResultsFolder::lock()
-  {
-    descriptor = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
-        errno == EWOULDBLOCK)
-      {
-        close(descriptor);
-        descriptor = -1;
-      }
   }
 
 

@@ -70,15 +70,7 @@ namespace lamella
 
 
 
-    /// What bodies that turn by any angle have beside, of each step.
-    std::string
-    finite_rotation_header(const Results &results)
-    {
-      return !results.steps.empty() && results.last().checks.is_large ?
-               ",iterations,halvings,max_strain,max_rotation,max_element_rotation" :
-               "";
-    }
-
+    /// What bodies that turn by any angle have beside.
     void
     add_rotations(const StepResults &step, CsvLine &line)
     {
@@ -214,7 +206,10 @@ namespace lamella
     headers["history.csv"] = "step,load_factor" + history_header(results);
     for (const std::string &name : results.measures)
       headers["history.csv"] += ",measure:" + name;
-    headers["history.csv"] += finite_rotation_header(results) + "\n";
+    if (!results.steps.empty() && results.last().checks.is_large)
+      headers["history.csv"] +=
+        ",iterations,halvings,max_strain,max_rotation,max_element_rotation";
+    headers["history.csv"] += "\n";
     for (const std::string &line : results.lines)
       headers["lines/" + line + ".csv"] =
         "s,step,line," + fields_header() + "\n";

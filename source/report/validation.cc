@@ -43,14 +43,6 @@ namespace lamella
 
 
 
-    std::string
-    in_words(const dealii::Point<2> &point)
-    {
-      return "(" + to_text(point[0]) + ", " + to_text(point[1]) + ")";
-    }
-
-
-
     /// ` in the wall 'left', normal (-1, 0)`; empty for level plies in no wall.
     std::string
     in_words(const PlyPlane &plane)
@@ -61,7 +53,7 @@ namespace lamella
       if (plane.normal_at)
         words += ", normal as that of the wall";
       else if (!level || !plane.wall.empty())
-        words += ", normal " + in_words(dealii::Point<2>(plane.normal));
+        words += ", normal " + to_text(dealii::Point<2>(plane.normal));
       return words;
     }
 
@@ -325,9 +317,9 @@ namespace lamella
         << unit(units, 2) << " about the axis at " << c.angle
         << " deg from x towards z, EI_2 " << c.EI[1] << unit(units, 2)
         << " about that at right angles\n  tension center "
-        << in_words(c.tension_center) << ", shear center "
-        << in_words(c.shear_center) << "\n  stiffness about "
-        << in_words(section.reference_point) << ": forces" << unit(units, 0)
+        << to_text(c.tension_center) << ", shear center "
+        << to_text(c.shear_center) << "\n  stiffness about "
+        << to_text(section.reference_point) << ": forces" << unit(units, 0)
         << ", couplings of forces and moments" << unit(units, 1) << ", moments"
         << unit(units, 2) << "\n";
     print_matrix(out, section.stiffness);

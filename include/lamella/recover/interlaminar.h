@@ -159,9 +159,6 @@ namespace lamella
     make_nodes(const unsigned int degree);
     void
     make_plies();
-    /// Returns the length over which torsional warping decays from a free side.
-    double
-    torsional_decay() const;
     const Column &
     column_at(const double x, const double y);
     Column

@@ -56,10 +56,6 @@ namespace lamella
               const std::vector<ContactRow> &rows) const;
 
   private:
-    /// Returns the location of each contact point on the slave body.
-    std::vector<Location>
-    point_locations() const;
-
     const ContactInterface    &contact;
     const Structure           &structure;
     std::vector<Quadrilateral> quads;

@@ -58,10 +58,6 @@ namespace lamella
     has_earlier_results() const;
 
   private:
-    /// Locks the folder; `descriptor` is -1 if another process has the lock.
-    void
-    lock();
-
     std::string folder;
     bool        is_new     = false; ///< True if this object created the folder.
     bool        is_cleared = false; ///< True after make_room() or keep().
