@@ -38,17 +38,6 @@ namespace
 
 
 
-  /// Throws InputError if several processes run a task for one.
-  void
-  require_one_process(const CommandLine &command)
-  {
-    if (command.task != CommandLine::Task::run && n_processes() > 1)
-      throw InputError("run.task-in-parallel: trade, export, report and new "
-                       "work on one process. Start lamella without mpirun.");
-  }
-
-
-
   void
   run_to_tolerance(const CommandLine &command,
                    const Scene       &scene,
@@ -186,7 +175,9 @@ namespace
                                        diagnostics());
         return;
       }
-    require_one_process(command);
+    if (command.task != CommandLine::Task::run && n_processes() > 1)
+      throw InputError("run.task-in-parallel: trade, export, report and new "
+                       "work on one process. Start lamella without mpirun.");
     if (command.task == CommandLine::Task::report)
       make_page(command.scene, command.output);
     if (command.task == CommandLine::Task::new_scene)

@@ -102,18 +102,6 @@ by Ctrl-C, which says what stands in the folder and how to go on.
 
 
 
-    /// Throws InputError for options of a trade in another task.
-    void
-    check_jobs(const CommandLine &command)
-    {
-      if (command.task != CommandLine::Task::trade && command.jobs > 1)
-        throw InputError(
-          "run.option-of-trade: the option --jobs is for lamella trade only. "
-          "Remove --jobs, or write lamella trade.");
-    }
-
-
-
     /// Throws InputError for options that belong to another task.
     void
     check_task(const CommandLine &command, const bool calculix)
@@ -299,7 +287,10 @@ by Ctrl-C, which says what stands in the folder and how to go on.
       }
     WordReader reader(result);
     reader.read(words, first);
-    check_jobs(result);
+    if (result.task != Task::trade && result.jobs > 1)
+      throw InputError(
+        "run.option-of-trade: the option --jobs is for lamella trade only. "
+        "Remove --jobs, or write lamella trade.");
     check_task(result, reader.is_calculix());
     result.output_is_given = !result.output.empty();
     if (result.task == Task::new_scene && result.kind.empty())

@@ -130,21 +130,6 @@ namespace lamella
           throw;
         }
     }
-
-
-
-    /// All that a run has but its bars, while these are made.
-    void
-    write_before_bars(ResultsWriter &writer, const Results &results)
-    {
-      const SignalBlock whole;
-      writer.write_outcome(results);
-      if (is_root_process())
-        set_interruption_message(
-          "interrupted while error bars were made. " + writer.folder().path() +
-          " has all results but these. The same command with --resume makes "
-          "them; a run with --set \"Goals/Error bars=false\" makes none.");
-    }
   } // namespace
 
 
@@ -183,7 +168,16 @@ namespace lamella
     solve_steps(simulation, writer, directory);
     if (post_processing)
       {
-        write_before_bars(writer, found);
+        {
+          const SignalBlock whole;
+          writer.write_outcome(found);
+          if (is_root_process())
+            set_interruption_message(
+              "interrupted while error bars were made. " +
+              writer.folder().path() +
+              " has all results but these. The same command with --resume makes "
+              "them; a run with --set \"Goals/Error bars=false\" makes none.");
+        }
         post_processing();
       }
     {

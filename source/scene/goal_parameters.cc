@@ -45,16 +45,6 @@ namespace lamella
 
 
 
-    /// Returns the end of the number that begins @p piece, or else its end.
-    std::size_t
-    end_of_number(const std::string &piece)
-    {
-      const std::size_t end = piece.find_first_not_of("+-.0123456789eE");
-      return end == 0 ? std::string::npos : end;
-    }
-
-
-
     /// Throws InputError unless all @p quantities are in @p unit, given in a
     /// piece of @p entry, or for `abs` of one kind.
     void
@@ -95,7 +85,9 @@ namespace lamella
                     const GoalParameters             &goals,
                     const Units                      &units)
     {
-      const std::size_t end    = end_of_number(piece);
+      std::size_t end = piece.find_first_not_of("+-.0123456789eE");
+      if (end == 0)
+        end = std::string::npos;
       const double      number = entry.number(trimmed(piece.substr(0, end)));
       const std::string unit =
         end == std::string::npos ? "" : trimmed(piece.substr(end));

@@ -79,9 +79,12 @@ namespace lamella
 
     // ---- supports, loads, obstacles and contacts
 
+    /// Declares the entries of @p Parameters, and References.
+    template <typename Parameters>
     void
-    declare_references(ParameterHandler &prm)
+    declare_with_references(ParameterHandler &prm)
     {
+      Parameters::declare(prm);
       prm.declare_entry("References",
                         "",
                         Anything(),
@@ -95,15 +98,6 @@ namespace lamella
     references_of_resultant(const Entries &in)
     {
       return parse_references(in["References"], {"fx", "fy", "fz"});
-    }
-
-
-
-    void
-    declare_support(ParameterHandler &prm)
-    {
-      SupportParameters::declare(prm);
-      declare_references(prm);
     }
 
 
@@ -183,15 +177,6 @@ namespace lamella
       obstacle->history =
         HistoryParameters::parse(in, reading.scene.solve.load_factors);
       reading.scene.obstacles.push_back(obstacle);
-    }
-
-
-
-    void
-    declare_contact(ParameterHandler &prm)
-    {
-      ContactParameters::declare(prm);
-      declare_references(prm);
     }
 
 
@@ -290,12 +275,15 @@ namespace lamella
        add_notes_on_choices},
       {"Supports",
        "Support",
-       declare_support,
+       declare_with_references<SupportParameters>,
        resolve_support,
        add_isostatic_supports},
       {"Loads", "Load", LoadParameters::declare, resolve_load},
       {"Obstacles", "Obstacle", ObstacleParameters::declare, resolve_obstacle},
-      {"Contacts", "Contact", declare_contact, resolve_contact},
+      {"Contacts",
+       "Contact",
+       declare_with_references<ContactParameters>,
+       resolve_contact},
       {"Probes",
        "Probe",
        ProbeParameters::declare,

@@ -243,18 +243,6 @@ namespace lamella
         }
       return tolerances;
     }
-
-
-
-    double
-    parse_time_limit(const Entry &entry)
-    {
-      const double seconds = entry.number();
-      if (!(seconds >= 0. && seconds <= longest_time))
-        entry.refuse(
-          "scene.invalid-time-limit: write seconds (0: no limit), at most 1e9");
-      return seconds;
-    }
   } // namespace
 
 
@@ -312,7 +300,10 @@ namespace lamella
 
     trade.tolerances = parse_tolerances(in["Tolerance"]);
     trade.error_bars = in["Error bars"].boolean();
-    trade.time_limit = parse_time_limit(in["Time limit"]);
+    trade.time_limit = in["Time limit"].number();
+    if (!(trade.time_limit >= 0. && trade.time_limit <= longest_time))
+      in["Time limit"].refuse(
+        "scene.invalid-time-limit: write seconds (0: no limit), at most 1e9");
     return trade;
   }
 } // namespace lamella

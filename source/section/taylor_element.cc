@@ -263,11 +263,7 @@ namespace lamella
           const auto [position, J] = geometry.map(cell, rule.point(q));
           EdgePoint &point         = found[key(position)];
           if (point.weight == 0.)
-            {
-              point.cell     = cell;
-              point.unit     = rule.point(q);
-              point.position = position;
-            }
+            point = point_at(cell, rule.point(q));
           point.weight += rule.weight(q) * determinant(J);
         }
     std::vector<EdgePoint> points;

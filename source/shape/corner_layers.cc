@@ -34,19 +34,6 @@ namespace lamella
 
 
 
-    /// The angle of @p cell at its vertex @p v, in degrees.
-    template <typename Cell>
-    double
-    angle_at(const Cell &cell, const unsigned int v)
-    {
-      // The neighbors of a vertex differ from it in one bit.
-      const Tensor<1, 2> a = cell->vertex(v ^ 1u) - cell->vertex(v),
-                         b = cell->vertex(v ^ 2u) - cell->vertex(v);
-      return std::acos(a * b / (a.norm() * b.norm())) * 180. / numbers::PI;
-    }
-
-
-
     bool
     differ(const Ply &one, const Ply &other)
     {
@@ -309,7 +296,11 @@ namespace lamella
         if (const unsigned int vertex = cell->vertex_index(v);
             boundary.count(vertex) > 0)
           {
-            angles[vertex] += angle_at(cell, v);
+            // The neighbors of a vertex differ from it in one bit.
+            const Tensor<1, 2> a = cell->vertex(v ^ 1u) - cell->vertex(v),
+                               b = cell->vertex(v ^ 2u) - cell->vertex(v);
+            angles[vertex] +=
+              std::acos(a * b / (a.norm() * b.norm())) * 180. / numbers::PI;
             plies[vertex].insert(cell->material_id());
           }
     std::vector<unsigned int> corners;

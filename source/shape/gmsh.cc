@@ -354,25 +354,16 @@ namespace lamella
 
 
 
-    PlyPlane
-    plane_towards(const double degrees)
-    {
-      // Right angles exactly, as of ply_axes().
-      const Triad rotation = ply_axes(degrees);
-      PlyPlane    plane;
-      plane.normal = Point<2>(rotation[0][1], rotation[0][0]);
-      return plane;
-    }
-
-
-
     /// The plane that @p part says, of @p section; @p where is the entry.
     PlyPlane
     plane_of(const PartPlane   &part,
              const SectionMesh &section,
              const std::string &where)
     {
-      PlyPlane plane = plane_towards(part.direction);
+      // Right angles exactly, as of ply_axes().
+      const Triad rotation = ply_axes(part.direction);
+      PlyPlane    plane;
+      plane.normal = Point<2>(rotation[0][1], rotation[0][0]);
       if (part.curve.empty())
         return plane;
       std::vector<std::string> curves;

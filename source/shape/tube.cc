@@ -79,19 +79,6 @@ namespace lamella
 
 
 
-    /// Vertex @p k of @p n at @p depth, from the top along t, towards +x.
-    Point<2>
-    vertex_of(const EllipseProjection &outside,
-              const double             depth,
-              const unsigned int       k,
-              const unsigned int       n)
-    {
-      const double phi = 0.5 * numbers::PI - 2. * numbers::PI * k / n;
-      return outside.point(phi) - depth * outside.normal(phi);
-    }
-
-
-
     /// The cells of @p rings, @p n in each, into @p mesh.
     void
     make_cells(const EllipseProjection &outside,
@@ -103,7 +90,12 @@ namespace lamella
       std::vector<CellData<2>> cells;
       for (unsigned int j = 0; j < rings.depths.size(); ++j)
         for (unsigned int k = 0; k < n; ++k)
-          vertices.push_back(vertex_of(outside, rings.depths[j], k, n));
+          {
+            // From the top along t, towards +x.
+            const double phi = 0.5 * numbers::PI - 2. * numbers::PI * k / n;
+            vertices.push_back(outside.point(phi) -
+                               rings.depths[j] * outside.normal(phi));
+          }
       for (unsigned int j = 0; j < rings.plies.size(); ++j)
         for (unsigned int k = 0; k < n; ++k)
           {
