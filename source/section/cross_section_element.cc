@@ -11,12 +11,14 @@ namespace lamella
   using namespace dealii;
 
   CrossSectionElement::CrossSectionElement(
-    std::shared_ptr<const SectionMesh> mesh)
-    : mesh(std::move(mesh))
+    const std::shared_ptr<const SectionMesh> &mesh,
+    const unsigned int                        geometric_degree)
+    : mesh(mesh)
+    , geometry(mesh, geometric_degree)
   {
     double       area = 0.;
     Tensor<1, 2> moment;
-    for (const auto &cell : this->mesh->mesh.active_cell_iterators())
+    for (const auto &cell : mesh->mesh.active_cell_iterators())
       {
         area += cell->measure();
         moment += cell->measure() * Tensor<1, 2>(cell->barycenter());

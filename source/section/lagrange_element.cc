@@ -17,8 +17,7 @@ namespace lamella
     const unsigned int                        degree,
     const double                              column_aspect,
     const Basis                               basis)
-    : CrossSectionElement(mesh_)
-    , geometry(mesh_, degree)
+    : CrossSectionElement(mesh_, degree)
     , basis(basis)
     , cells(geometry.n_cells())
   {

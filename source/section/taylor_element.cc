@@ -33,11 +33,10 @@ namespace lamella
 
   TaylorElement::TaylorElement(const std::shared_ptr<const SectionMesh> &mesh_,
                                const unsigned int                        degree)
-    : CrossSectionElement(mesh_)
+    : CrossSectionElement(mesh_, has_curved_edges(*mesh_) ? 3 : 1)
     , order(degree)
     , gauss_points(degree + 1 +
                    (has_curved_edges(*mesh_) ? points_for_curves : 0))
-    , geometry(mesh_, has_curved_edges(*mesh_) ? 3 : 1)
   {
     const auto box = bounding_box().get_boundary_points();
     middle         = box.first + 0.5 * (box.second - box.first);

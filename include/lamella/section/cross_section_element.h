@@ -114,8 +114,11 @@ namespace lamella
 
     /// Returns the position (x, z) and the Jacobian of @p cell at the
     /// coordinates @p unit = (xi, eta).
-    virtual SectionGeometry::Place
-    map(const unsigned int cell, const dealii::Point<2> &unit) const = 0;
+    SectionGeometry::Place
+    map(const unsigned int cell, const dealii::Point<2> &unit) const
+    {
+      return geometry.map(cell, unit);
+    }
 
     /// Returns points on @p boundary whose displacements determine those of the
     /// whole boundary, with normals and tributary lengths. Empty if there is no
@@ -232,12 +235,15 @@ namespace lamella
     depth(const unsigned int cell, const unsigned int face) const;
 
     /// Computes the centroid (x_c, z_c) of @p mesh with straight cell sides,
-    /// and the length h, half the diagonal of the bounding box.
-    explicit CrossSectionElement(std::shared_ptr<const SectionMesh> mesh);
+    /// and the length h, half the diagonal of the bounding box. Cells are
+    /// mapped with degree @p geometric_degree.
+    CrossSectionElement(const std::shared_ptr<const SectionMesh> &mesh,
+                        const unsigned int geometric_degree);
 
-    std::shared_ptr<const SectionMesh> mesh;   ///< Section mesh.
-    dealii::Point<2>                   origin; ///< (x_c, z_c) [length].
-    double                             length; ///< Reference length [length].
+    std::shared_ptr<const SectionMesh> mesh;     ///< Section mesh.
+    SectionGeometry                    geometry; ///< Map of the cells.
+    dealii::Point<2>                   origin;   ///< (x_c, z_c) [length].
+    double                             length;   ///< Reference length [length].
   };
 
   /// Returns the point (xi, eta) of the unit square at the parameter @p t in

@@ -107,12 +107,6 @@ namespace lamella
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
 
-    SectionGeometry::Place
-    map(const unsigned int cell, const dealii::Point<2> &unit) const override
-    {
-      return geometry.map(cell, unit);
-    }
-
     /// Returns the nodes on @p boundary. Weights integrate nodal functions.
     std::vector<EdgePoint>
     edge_points(const std::string &boundary) const override;
@@ -255,9 +249,7 @@ namespace lamella
     void
     collect_numbers();
 
-    /// Isoparametric map with the nodes of the expansion.
-    SectionGeometry geometry;
-    Basis           basis;
+    Basis basis;
     /// Maps with the nodes of degrees 1 ... p - 1 of a hierarchical basis.
     std::vector<std::unique_ptr<const SectionGeometry>> coarse;
     /// Result of level() for each function.

@@ -4,7 +4,6 @@
 #define lamella_section_taylor_element_h
 
 #include <lamella/section/cross_section_element.h>
-#include <lamella/shape/section_geometry.h>
 
 namespace lamella
 {
@@ -69,12 +68,6 @@ namespace lamella
     evaluate(const unsigned int      cell,
              const dealii::Point<2> &unit) const override;
 
-    SectionGeometry::Place
-    map(const unsigned int cell, const dealii::Point<2> &unit) const override
-    {
-      return geometry.map(cell, unit);
-    }
-
     /// Returns N + 1 Gauss-Lobatto points on each boundary side, each vertex
     /// once. Weights are integrals of the points' Lagrange polynomials.
     std::vector<EdgePoint>
@@ -137,8 +130,6 @@ namespace lamella
 
     /// Degree N, and number of Gauss points per direction.
     unsigned int order, gauss_points;
-    /// Geometry of the cells, of degree 3 if edges are curved, else bilinear.
-    SectionGeometry geometry;
     /// Center and half side lengths of the bounding box [length].
     dealii::Point<2>     middle;
     dealii::Tensor<1, 2> half;
