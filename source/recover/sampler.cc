@@ -252,11 +252,16 @@ namespace lamella
     sample_probes(recoveries, results);
     for (unsigned int l = 0; l < lines.size(); ++l)
       {
-        results.lines.push_back(line_rows(l, recoveries));
+        const Fields          fields = recoveries(lines[l].body,
+                                         lines[l].stress,
+                                         entry_of("Line", lines[l]));
+        std::vector<LineRow> &rows   = results.lines.emplace_back();
+        for (const auto &[s, location] : line_sample_points[l])
+          rows.push_back({s, row_at(lines[l].body, location, fields)});
         results.jumps.push_back(
-          interface_jump(results.lines.back(), lines[l].to - lines[l].from));
+          interface_jump(rows, lines[l].to - lines[l].from));
         // Where a line crosses plies is a matter of axes that turn along.
-        for (LineRow &row : results.lines.back())
+        for (LineRow &row : rows)
           if (in_scene_axes)
             to_scene_axes(row.fields.sample);
         results.defects.lines.push_back(
@@ -350,19 +355,6 @@ namespace lamella
             location.ply,
             location.position,
             fields(location)};
-  }
-
-
-
-  std::vector<LineRow>
-  Sampler::line_rows(const unsigned int l, Recoveries &recoveries) const
-  {
-    const Fields fields =
-      recoveries(lines[l].body, lines[l].stress, entry_of("Line", lines[l]));
-    std::vector<LineRow> rows;
-    for (const auto &[s, location] : line_sample_points[l])
-      rows.push_back({s, row_at(lines[l].body, location, fields)});
-    return rows;
   }
 
 

@@ -412,16 +412,9 @@ namespace lamella
       {
         return force[i][0] * length_scale > slack[i] * force_scale;
       }
-      /// Returns whether the shear force of point @p i is as large as its
-      /// bound, from which all iterates keep a small distance.
-      bool
-      is_slipping(const unsigned int i) const
-      {
-        return has_shear[i] &&
-               tangential_norm(force[i]) > inside * inside * bound[i];
-      }
       /// Completes the states of the last iterate: open points get no force,
-      /// slipping points the shear force of the bound.
+      /// slipping points the shear force of the bound, from which all iterates
+      /// keep a small distance.
       // Newton's method takes a slipping point with less than its bound for a
       // sticking one if its slip is small.
       void
@@ -430,7 +423,8 @@ namespace lamella
         for (unsigned int i = 0; i < n; ++i)
           if (!is_closed(i))
             force[i] = {};
-          else if (is_slipping(i))
+          else if (has_shear[i] &&
+                   tangential_norm(force[i]) > inside * inside * bound[i])
             force[i] += (bound[i] / tangential_norm(force[i]) - 1.) *
                         tangential_part(force[i]);
       }

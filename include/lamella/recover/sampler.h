@@ -111,8 +111,6 @@ namespace lamella
     row_at(const unsigned int body,
            const Location    &location,
            const Fields      &fields) const;
-    std::vector<LineRow>
-    line_rows(const unsigned int line, Recoveries &recoveries) const;
     /// Returns the fields on the grid of @p cut.
     std::vector<CutRow>
     cut_rows(const Cut         &cut,
