@@ -109,6 +109,18 @@ namespace lamella
 
 
 
+  bool
+  have_densities(const Bodies &bodies)
+  {
+    for (const auto &body : bodies)
+      for (const Ply &ply : body->plies())
+        if (!ply.properties.density)
+          return false;
+    return true;
+  }
+
+
+
   void
   Body::add_internal_forces(const Vector &u, Vector &f) const
   {

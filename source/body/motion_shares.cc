@@ -24,6 +24,26 @@ namespace lamella
       std::vector<double>                    mass;
       std::vector<Point<3>>                  x;
       std::vector<std::vector<Tensor<1, 3>>> v;
+
+      /// Adds the velocities at a point of @p body with the functionals @p row
+      /// and the @p rotation, for the DoFs @p motions.
+      template <typename Row>
+      void
+      add_velocities(const Body                        &body,
+                     const Row                         &row,
+                     const Tensor<2, 3>                &rotation,
+                     const std::vector<const Vector *> &motions)
+      {
+        v.resize(motions.size());
+        for (unsigned int m = 0; m < v.size(); ++m)
+          {
+            Tensor<1, 3> velocity;
+            for (unsigned int c = 0; c < 3; ++c)
+              velocity[c] = row[c](*motions[m]);
+            v[m].push_back(
+              body.place().vector_to_body(transpose(rotation) * velocity));
+          }
+      }
     };
 
 
@@ -80,16 +100,7 @@ namespace lamella
                                      (rho.empty() ? 1. : rho[at.ply]) *
                                      volume_factor(body, at.places[0]));
               section.x.push_back(x);
-              section.v.resize(v.size());
-              const Tensor<2, 3> back = transpose(body.rotation_at(at, u));
-              for (unsigned int m = 0; m < v.size(); ++m)
-                {
-                  Tensor<1, 3> velocity;
-                  for (unsigned int c = 0; c < 3; ++c)
-                    velocity[c] = rows[q][c](*v[m]);
-                  section.v[m].push_back(
-                    body.place().vector_to_body(back * velocity));
-                }
+              section.add_velocities(body, rows[q], body.rotation_at(at, u), v);
             }
         }
       return sections;

@@ -368,6 +368,24 @@ namespace lamella
                            {"sxx", "syy", "szz", "sxy", "sxz", "syz"},
                            true));
     }
+
+
+
+    /// Adds the modes with @p references to @p table.
+    void
+    add_modes(Table                        &table,
+              const Results                &results,
+              const std::vector<Reference> &references)
+    {
+      const ResultNumbers numbers(results);
+      for (const NamedQuantity &mode : numbers.of_modes())
+        for (const Reference &reference : references)
+          if (reference.quantity == mode.name)
+            add_row(table,
+                    mode.name,
+                    numbers.value(mode),
+                    {mode.column, reference.value, reference.source});
+    }
   } // namespace
 
 
@@ -405,14 +423,7 @@ namespace lamella
       add_resultant("contact " + results.contacts[k].name,
                     step.checks.contacts[k].force,
                     references.contacts[k]);
-    const ResultNumbers numbers(results);
-    for (const NamedQuantity &mode : numbers.of_modes())
-      for (const Reference &reference : references.modes)
-        if (reference.quantity == mode.name)
-          add_row(table,
-                  mode.name,
-                  numbers.value(mode),
-                  {mode.column, reference.value, reference.source});
+    add_modes(table, results, references.modes);
     if (table.size() == 1)
       return;
     out << "\nResults beside their references:\n";

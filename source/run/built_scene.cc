@@ -473,17 +473,7 @@ namespace lamella
       for (const auto &one : all)
         names.push_back(one.name);
     };
-    const auto has_density = [](const Ply &ply) {
-      return ply.properties.density.has_value();
-    };
-    if (std::all_of(whole->bodies().begin(),
-                    whole->bodies().end(),
-                    [&](const auto &body) {
-                      const auto plies = body->plies();
-                      return std::all_of(plies.begin(),
-                                         plies.end(),
-                                         has_density);
-                    }))
+    if (have_densities(whole->bodies()))
       found.inertia = inertia_of(whole->bodies());
     name(given.supports, found.supports);
     name(given.probes, found.probes);

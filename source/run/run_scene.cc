@@ -85,9 +85,9 @@ namespace lamella
     /// Solves what is left of @p simulation and has @p writer write each step;
     /// also the end of the results, where the numerics fail after some steps.
     void
-    solve_steps(Simulation        &simulation,
-                ResultsWriter     &writer,
-                const std::string &directory)
+    do_steps(Simulation        &simulation,
+             ResultsWriter     &writer,
+             const std::string &directory)
     {
       const Results &found = simulation.results();
       // Steps of an earlier run, which are not looked at again.
@@ -103,13 +103,6 @@ namespace lamella
                                         results.load_steps,
                                         !simulation.is_revised());
           });
-        }
-      catch (const InputError &)
-        {
-          // What was found wrong after some steps leaves no results.
-          if (earlier == 0)
-            writer.discard();
-          throw;
         }
       catch (const NumericsError &error)
         {
@@ -127,6 +120,28 @@ namespace lamella
             throw NumericsError(std::string(error.what()) +
                                 " (The results in " + directory +
                                 " are of an earlier run.)");
+          throw;
+        }
+    }
+
+
+
+    /// Solves as do_steps(). What is found wrong with the scene after some
+    /// steps leaves no results.
+    void
+    solve_steps(Simulation        &simulation,
+                ResultsWriter     &writer,
+                const std::string &directory)
+    {
+      const bool is_resumed = !simulation.results().steps.empty();
+      try
+        {
+          do_steps(simulation, writer, directory);
+        }
+      catch (const InputError &)
+        {
+          if (!is_resumed)
+            writer.discard();
           throw;
         }
     }
@@ -225,6 +240,46 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Prints the sections of @p built, and writes them to @p directory unless
+    /// it is empty.
+    void
+    print_sections(const BuiltScene  &built,
+                   const std::string &directory,
+                   std::ostream      &out)
+    {
+      const Scene &scene = built.scene();
+      for (const auto &[name, shape] : scene.sections)
+        {
+          if (const auto *laminate = std::get_if<Laminate>(&shape))
+            print_laminate(out,
+                           name,
+                           laminate->plies(scene.materials),
+                           laminate->width,
+                           *built.sections().at(name),
+                           scene.units);
+          else
+            print_section(out,
+                          name,
+                          name_of(shape),
+                          *built.sections().at(name),
+                          scene.units);
+          const SectionStiffness stiffness =
+            section_stiffness(built.sections().at(name));
+          print_stiffness(out, name, stiffness, scene.units);
+          if (!directory.empty() && is_root_process())
+            write_section(directory,
+                          name,
+                          *built.sections().at(name),
+                          stiffness,
+                          scene.units);
+        }
+    }
+  } // namespace
+
+
+
   void
   print_validation(const Simulation &simulation, const std::string &directory)
   {
@@ -234,28 +289,7 @@ namespace lamella
     out << scene.title << (scene.title.empty() ? "" : "\n");
     for (const auto &[name, material] : scene.materials)
       print_material(out, name, material, scene.units);
-    for (const auto &[name, shape] : scene.sections)
-      {
-        if (const auto *laminate = std::get_if<Laminate>(&shape))
-          print_laminate(out,
-                         name,
-                         laminate->plies(scene.materials),
-                         laminate->width,
-                         *built.sections().at(name),
-                         scene.units);
-        else
-          print_section(
-            out, name, name_of(shape), *built.sections().at(name), scene.units);
-        const SectionStiffness stiffness =
-          section_stiffness(built.sections().at(name));
-        print_stiffness(out, name, stiffness, scene.units);
-        if (!directory.empty() && is_root_process())
-          write_section(directory,
-                        name,
-                        *built.sections().at(name),
-                        stiffness,
-                        scene.units);
-      }
+    print_sections(built, directory, out);
     print_bodies(out, built.structure(), built.interfaces(), scene.units);
     if (const auto &inertia = simulation.results().inertia)
       print_inertia(out, *inertia);

@@ -44,6 +44,43 @@ namespace lamella
 
   namespace
   {
+    void
+    declare_response(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Harmonic response");
+      prm.declare_entry(
+        "Frequencies",
+        "",
+        Anything(),
+        "Frequencies [Hz]: a list as 10, 20, 50, or a range as 0 "
+        "to 500 in 100 (equal intervals). Natural frequencies and "
+        "half-power points within it are added.");
+      prm.declare_entry("Damping",
+                        "",
+                        patterns::numbers(),
+                        "Damping ratio of each mode; the last number holds for "
+                        "all further modes. 0.02: 2 % of critical damping.");
+      prm.declare_entry("Base acceleration",
+                        "0, 0, 0",
+                        patterns::numbers(),
+                        "Amplitude of the acceleration of all supports. The "
+                        "response is then relative to the supports.");
+      prm.leave_subsection();
+    }
+
+
+
+    std::vector<double>
+    equidistant(const double from, const double to, const unsigned int n)
+    {
+      std::vector<double> all;
+      for (unsigned int k = 0; k <= n; ++k)
+        all.push_back(from + (to - from) * k / n);
+      return all;
+    }
+
+
+
     /// Returns the frequencies of @p entry, a list or FROM to TO in N.
     std::vector<double>
     parse_frequencies(const Entry &entry)
@@ -60,15 +97,10 @@ namespace lamella
                      "a number of intervals",
                      "Write, for example, 0 to 500 in 100.");
       else
-        {
-          const double from = entry.number(trimmed(text.substr(0, to))),
-                       end  = entry.number(
-                         trimmed(text.substr(to + 4, in - to - 4)));
-          const unsigned int n =
-            Entry(entry.path(), trimmed(text.substr(in + 4))).whole(1, 100000);
-          for (unsigned int k = 0; k <= n; ++k)
-            all.push_back(from + (end - from) * k / n);
-        }
+        all = equidistant(
+          entry.number(trimmed(text.substr(0, to))),
+          entry.number(trimmed(text.substr(to + 4, in - to - 4))),
+          Entry(entry.path(), trimmed(text.substr(in + 4))).whole(1, 100000));
       for (unsigned int k = 0; k < all.size(); ++k)
         if (!(all[k] >= 0. && (k == 0 || all[k] > all[k - 1])))
           entry.refuse("scene.order-of-frequencies: frequencies [Hz] must "
@@ -80,8 +112,16 @@ namespace lamella
 
 
     HarmonicRequest
-    parse_response(const Entries &in)
+    parse_response(ParameterHandler &prm)
     {
+      const Entry modes = Entries(prm, "")["Modes"];
+      if (const auto range = parse_modes(modes).range;
+          range && range->first > 0.)
+        modes.refuse("scene.modes-of-response: a response contains all modes "
+                     "from the lowest one on",
+                     "Write a range from 0, or a number.");
+      prm.enter_subsection("Harmonic response");
+      const Entries   in(prm, "Harmonic response");
       HarmonicRequest request;
       request.frequencies = parse_frequencies(in["Frequencies"]);
       const Entry damping = in["Damping"];
@@ -95,7 +135,22 @@ namespace lamella
                          "least 0 (undamped) and below 1 (critical)",
                          "Write, for example, 0.02.");
       request.base_acceleration = in["Base acceleration"].point();
+      prm.leave_subsection();
       return request;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    std::vector<Reference>
+    parse_mode_references(const Entry &entry, const FindRequest &find)
+    {
+      std::vector<std::string> names;
+      for (const auto &mode : find.names_of_modes())
+        names.push_back(mode.first);
+      return parse_references(entry, names);
     }
   } // namespace
 
@@ -127,25 +182,7 @@ namespace lamella
       Anything(),
       "Reference values to print, mode: value: source, with '|' between; a "
       "frequency [Hz] of mode-1, mode-2, ..., a factor of buckling-1, ...");
-    prm.enter_subsection("Harmonic response");
-    prm.declare_entry(
-      "Frequencies",
-      "",
-      Anything(),
-      "Frequencies [Hz]: a list as 10, 20, 50, or a range as 0 "
-      "to 500 in 100 (equal intervals). Natural frequencies and "
-      "half-power points within it are added.");
-    prm.declare_entry("Damping",
-                      "",
-                      patterns::numbers(),
-                      "Damping ratio of each mode; the last number holds for "
-                      "all further modes. 0.02: 2 % of critical damping.");
-    prm.declare_entry("Base acceleration",
-                      "0, 0, 0",
-                      patterns::numbers(),
-                      "Amplitude of the acceleration of all supports. The "
-                      "response is then relative to the supports.");
-    prm.leave_subsection();
+    declare_response(prm);
   }
 
 
@@ -162,14 +199,8 @@ namespace lamella
         find.modes = modes;
       else if (item == "response")
         {
-          find.modes = modes;
-          if (modes.range && modes.range->first > 0.)
-            in["Modes"].refuse("scene.modes-of-response: a response contains "
-                               "all modes from the lowest one on",
-                               "Write a range from 0, or a number.");
-          prm.enter_subsection("Harmonic response");
-          find.response = parse_response(Entries(prm, "Harmonic response"));
-          prm.leave_subsection();
+          find.modes    = modes;
+          find.response = parse_response(prm);
         }
       else if (item == "buckling")
         {
@@ -189,10 +220,7 @@ namespace lamella
                      "Write Strength/Criteria, and Strengths of materials.");
       else
         find.first_failure = true;
-    std::vector<std::string> names;
-    for (const auto &mode : find.names_of_modes())
-      names.push_back(mode.first);
-    find.references = parse_references(in["Mode references"], names);
+    find.references = parse_mode_references(in["Mode references"], find);
     return find;
   }
 

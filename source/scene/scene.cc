@@ -176,63 +176,6 @@ namespace lamella
 
 
 
-    /// Throws InputError for oscillating loads without a response, and for a
-    /// response without them or with what it does not have.
-    void
-    check_response(const Scene &scene)
-    {
-      const LoadFactor &factors    = scene.solve.load_factors.back();
-      const LoadFactor  raised     = factors.with_oscillation();
-      const auto        oscillates = [&](const unsigned int history) {
-        return history > 0 && raised.of(history) > factors.of(history);
-      };
-      std::string path;
-      for (const Load &load : scene.loads)
-        if (oscillates(load.history))
-          path = "Load " + load.name;
-      for (const Support &support : scene.supports)
-        if (oscillates(support.history))
-          path = "Support " + support.name;
-      for (const auto &obstacle : scene.obstacles)
-        if (oscillates(obstacle->history))
-          throw InputError("Obstacle " + obstacle->name + "/Factors",
-                           "harmonic",
-                           "scene.oscillating-obstacle: obstacles cannot "
-                           "oscillate",
-                           "Let a support or a load oscillate.");
-      if (!scene.find.response && !path.empty())
-        throw InputError(
-          path + "/Factors",
-          "harmonic",
-          "scene.harmonic-without-response: only Find = response "
-          "has oscillating loads and supports",
-          "Write Find = response, or other Factors.");
-      if (!scene.find.response)
-        return;
-      if (path.empty() && scene.find.response->base_acceleration.norm() == 0.)
-        throw InputError("Find",
-                         "response",
-                         "scene.response-without-oscillation: nothing "
-                         "oscillates",
-                         "Write Factors = harmonic in a load or support, or "
-                         "Base acceleration in subsection Harmonic response.");
-      if (scene.probes.empty())
-        throw InputError("Find",
-                         "response",
-                         "scene.response-without-probes: the response is given "
-                         "at probes, and the scene has none",
-                         "Add a probe to Probes.");
-      for (const Probe &probe : scene.probes)
-        if (probe.stress == StressValues::equilibrium)
-          throw InputError("Probe " + probe.name + "/Stress",
-                           "equilibrium",
-                           "scene.response-by-equilibrium: stresses by "
-                           "equilibrium do not include inertial forces",
-                           "Write Stress = recovered.");
-    }
-
-
-
     /// Reads failure criteria, goals, and the trade, which refers to all these.
     void
     resolve_requests(ParameterHandler               &prm,

@@ -339,4 +339,66 @@ namespace lamella
           " rad, is more than a revolution. A degree is 0.0174533 rad");
     return plausibility_warnings;
   }
+
+
+
+  namespace
+  {
+    /// Returns the path of a load, support or obstacle that oscillates, or "".
+    std::string
+    first_oscillating(const Scene &scene)
+    {
+      const LoadFactor &factors = scene.solve.load_factors.back();
+      const LoadFactor  raised  = factors.with_oscillation();
+      const auto        moves   = [&](const unsigned int history) {
+        return history > 0 && raised.of(history) > factors.of(history);
+      };
+      for (const auto &obstacle : scene.obstacles)
+        if (moves(obstacle->history))
+          throw InputError("Obstacle " + obstacle->name + "/Factors",
+                           "harmonic",
+                           "scene.oscillating-obstacle: obstacles cannot "
+                           "oscillate",
+                           "Let a support or a load oscillate.");
+      for (const Load &load : scene.loads)
+        if (moves(load.history))
+          return "Load " + load.name;
+      for (const Support &support : scene.supports)
+        if (moves(support.history))
+          return "Support " + support.name;
+      return "";
+    }
+  } // namespace
+
+
+
+  void
+  check_response(const Scene &scene)
+  {
+    const std::string path = first_oscillating(scene);
+    if (!scene.find.response && !path.empty())
+      throw InputError(path + "/Factors",
+                       "harmonic",
+                       "scene.harmonic-without-response: only Find = response "
+                       "has oscillating loads and supports",
+                       "Write Find = response, or other Factors.");
+    if (!scene.find.response)
+      return;
+    const Entry find("Find", "response");
+    if (path.empty() && scene.find.response->base_acceleration.norm() == 0.)
+      find.refuse("scene.response-without-oscillation: nothing oscillates",
+                  "Write Factors = harmonic in a load or support, or Base "
+                  "acceleration in subsection Harmonic response.");
+    if (scene.probes.empty())
+      find.refuse("scene.response-without-probes: the response is given at "
+                  "probes, and the scene has none",
+                  "Add a probe to Probes.");
+    for (const Probe &probe : scene.probes)
+      if (probe.stress == StressValues::equilibrium)
+        throw InputError("Probe " + probe.name + "/Stress",
+                         "equilibrium",
+                         "scene.response-by-equilibrium: stresses by "
+                         "equilibrium do not include inertial forces",
+                         "Write Stress = recovered.");
+  }
 } // namespace lamella

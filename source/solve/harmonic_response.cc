@@ -32,6 +32,26 @@ namespace lamella
         }
       return all;
     }
+
+
+
+    /// Returns the quasi-static displacements due to the prescribed ones @p
+    /// u_p.
+    BlockVector
+    quasi_static(const SmallMotions &motions, BlockVector u_p)
+    {
+      if (motions.largest_jump(u_p) >
+          arithmetic::rounding_of_results * u_p.linfty_norm())
+        throw InputError("Find",
+                         "response",
+                         "solve.support-moves-contact: a prescribed motion of "
+                         "a support moves a closed contact directly",
+                         "Move the support away from the contact.");
+      BlockVector f = motions.times_stiffness(u_p);
+      f *= -1.;
+      u_p += motions.solve(f);
+      return u_p;
+    }
   } // namespace
 
 
@@ -49,27 +69,17 @@ namespace lamella
       natural.push_back(mode.value);
     const Structure   &structure = system.tangent().of();
     const MassMatrix   mass(structure, state.u);
-    const Operator     weight = [&](const BlockVector &v) { return mass(v); };
     const SmallMotions small(
       system,
       state,
-      weight,
-      prestress == nullptr ? Operator() : [&](const BlockVector &v) {
-        return (*prestress)(v);
-      });
-    const LoadFactor raised = factor.with_oscillation();
-    BlockVector      u_s = system.tangent().support_increment(factor, raised);
-    if (small.largest_jump(u_s) >
-        arithmetic::rounding_of_results * u_s.linfty_norm())
-      throw InputError("Find",
-                       "response",
-                       "solve.support-moves-contact: a prescribed motion of a "
-                       "support moves a closed contact directly",
-                       "Move the support away from the contact.");
-    BlockVector f = small.times_stiffness(u_s);
-    f *= -1.;
-    u_s += small.solve(f);
-    f = structure.load(raised, state.u);
+      [&](const BlockVector &v) { return mass(v); },
+      prestress == nullptr ?
+        Operator() :
+        [&](const BlockVector &v) { return (*prestress)(v); });
+    const LoadFactor  raised = factor.with_oscillation();
+    const BlockVector u_s =
+      quasi_static(small, system.tangent().support_increment(factor, raised));
+    BlockVector f = structure.load(raised, state.u);
     f -= structure.load(factor, state.u);
     f -= mass(translation(structure, state.u, request.base_acceleration));
     const BlockVector Mu = mass(u_s);
@@ -79,16 +89,24 @@ namespace lamella
       basis.push_back(motion);
     for (const Mode &mode : modes.modes)
       basis.push_back(mode.shape);
+    add_work(f, Mu);
+    check_frequencies();
+  }
+
+
+
+  void
+  HarmonicResponse::add_work(const BlockVector &f, const BlockVector &Mu)
+  {
     for (unsigned int k = 2; k < basis.size(); ++k)
       {
         of_loads.push_back(basis[k] * f);
         of_motion.push_back(basis[k] * Mu);
-        if (k < n_rigid + 2)
-          moves_rigidly = moves_rigidly || std::abs(of_loads.back()) >
-                                             arithmetic::rounding_of_results *
-                                               basis[k].l2_norm() * f.l2_norm();
+        const double scale = basis[k].l2_norm() * f.l2_norm();
+        if (k < n_rigid + 2 &&
+            std::abs(of_loads.back()) > arithmetic::rounding_of_results * scale)
+          moves_rigidly = true;
       }
-    check_frequencies();
   }
 
 

@@ -142,22 +142,27 @@ namespace lamella
 
 
 
-    /// Returns the pairs with frequencies up to more than @p upper, if the
-    /// model has so many DoFs.
+    /// Returns the pairs with frequencies up to more than @p upper. Refuses
+    /// @p entry if the model has too few DoFs.
     Eigenpairs
     pairs_beyond(const double        upper,
                  const Eigenproblem &problem,
                  const BlockVector  &like,
-                 const unsigned int  n_free)
+                 const unsigned int  n_free,
+                 const Entry        &entry)
     {
       const unsigned int most = largest_number(n_free);
       for (unsigned int n = 10;; n *= 2)
         {
           Eigenpairs pairs =
             all_eigenpairs(problem, like, std::min(n, most), n_free);
-          if (pairs.values.empty() || n >= most ||
-              frequency(pairs.values.back()) > upper)
+          if (!pairs.values.empty() && frequency(pairs.values.back()) > upper)
             return pairs;
+          if (pairs.values.empty() || n >= most)
+            entry.refuse("solve.range-of-modes-too-high: the model has only " +
+                           std::to_string(n_free) +
+                           " free DoFs, too few for all modes of this range",
+                         "Use more elements, or a lower limit.");
         }
     }
 
@@ -175,27 +180,19 @@ namespace lamella
       n_below = 0;
       if (!request.range)
         return all_eigenpairs(problem, like, request.number, n_free);
-      const auto [lower, upper] = *request.range;
-      const Entry      entry("Modes", to_text(lower) + " to " + to_text(upper));
-      const Eigenpairs all = pairs_beyond(upper, problem, like, n_free);
-      if (all.values.empty() || frequency(all.values.back()) <= upper)
-        entry.refuse("solve.range-of-modes-too-high: the model has only " +
-                       std::to_string(n_free) +
-                       " free DoFs, too few for all "
-                       "modes of this range",
-                     "Use more elements, or a lower limit.");
-      Eigenpairs inside;
-      double     nearest = frequency(all.values.front());
+      const double lower = request.range->first, upper = request.range->second;
+      const Entry  entry("Modes", to_text(lower) + " to " + to_text(upper));
+      const Eigenpairs all = pairs_beyond(upper, problem, like, n_free, entry);
+      Eigenpairs       inside;
+      double           nearest = 0.;
       for (unsigned int k = 0; k < all.values.size(); ++k)
         {
-          const double f    = frequency(all.values[k]);
-          const auto   away = [lower = lower, upper = upper](const double of) {
-            return std::max(lower - of, of - upper);
-          };
-          if (away(f) < away(nearest))
+          const double f = frequency(all.values[k]);
+          if (k == 0 || std::abs(f - std::clamp(f, lower, upper)) <
+                          std::abs(nearest - std::clamp(nearest, lower, upper)))
             nearest = f;
           n_below += f < lower;
-          if (away(f) > 0.)
+          if (f < lower || f > upper)
             continue;
           inside.values.push_back(all.values[k]);
           inside.vectors.push_back(all.vectors[k]);

@@ -135,6 +135,10 @@ namespace lamella
     about_center() const;
   };
 
+  /// Returns true if the densities of all plies of @p bodies are known.
+  bool
+  have_densities(const Bodies &bodies);
+
   /// Returns the inertia of @p bodies. Throws as densities() does. Collective.
   Inertia
   inertia_of(const Bodies &bodies);

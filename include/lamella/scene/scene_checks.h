@@ -62,6 +62,11 @@ namespace lamella
   /// lengths that are not positive, and generated names that exist already.
   void
   expand_stacks(SceneText &text);
+
+  /// Throws InputError for oscillating loads without `Find = response`, and for
+  /// a response without oscillating loads or probes.
+  void
+  check_response(const Scene &scene);
 } // namespace lamella
 
 #endif

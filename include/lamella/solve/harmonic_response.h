@@ -73,6 +73,10 @@ namespace lamella
     frequencies() const;
 
   private:
+    /// Sets the work of the forces @p f and M u_s, @p Mu, on rigid motions and
+    /// modes.
+    void
+    add_work(const BlockVector &f, const BlockVector &Mu);
     /// Throws InputError if the response at a requested frequency is unbounded.
     void
     check_frequencies() const;
