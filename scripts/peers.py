@@ -184,11 +184,11 @@ def read_modes(path, rigid):
 
 def modes_missing(run, meaning):
     """In words, if a range may have more modes than the deck asks for, or one has fewer."""
-    most, n = meaning.get("modes", 0), len(run.modes)
-    if n < most and not meaning["has_range"]:
-        return f"CalculiX found {n} of {most} natural modes."
-    if n >= most > 0 and meaning["has_range"]:
-        return f"The range has more than {most - 1} modes. Use a smaller range in Modes."
+    asked, n = meaning.get("modes"), len(run.modes)
+    if asked and n < asked["number"] and not asked["range"]:
+        return f"CalculiX found {n} of {asked['number']} natural modes."
+    if asked and n >= asked["number"] and asked["range"]:
+        return f"The range has more than {n - 1} modes. Use a smaller range in Modes."
     return ""
 
 
@@ -299,7 +299,7 @@ def read_results(run, folder, meaning):
     if meaning["steps"]:
         read_static(run, folder, meaning)
     run.modes, run.buckling_modes = read_modes(folder / "deck.dat",
-                                               meaning.get("rigid_modes", 0))
+                                               meaning.get("modes", {}).get("rigid", 0))
     run.failure = run.failure or modes_missing(run, meaning)
 
 

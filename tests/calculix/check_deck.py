@@ -70,7 +70,7 @@ class Deck:
         self.nodes, self.elements = {}, {}
         self.nsets, self.elsets, self.surfaces = {}, {}, {}
         self.materials, self.axes, self.sections, self.pairs = {}, {}, {}, []
-        self.steps, self.densities, self.turns = [], {}, {}
+        self.steps, self.densities, self.distributions = [], {}, {}
         text = re.sub(r"^\*\*.*\n", "", path.read_text(), flags=re.MULTILINE)
         check(all(len(field.strip()) <= 20 for line in text.splitlines()
                   if not line.startswith("*") for field in line.split(",")),
@@ -107,7 +107,7 @@ class Deck:
         elif name == "DENSITY":
             self.densities[self.material] = float(body)
         elif name == "DISTRIBUTION":
-            self.turns[options["NAME"]] = {int(n): tuple(map(float, axes))
+            self.distributions[options["NAME"]] = {int(n): tuple(map(float, axes))
                                            for n, *axes in rows[1:]}
         elif name == "ORIENTATION":
             self.axes[options["NAME"]] = rows[0][0] if len(rows[0]) == 1 else [
@@ -369,14 +369,14 @@ def check_modes(program, scene, folder):
     turned = [*without, "Bodies=turned", "Supports=turned"]
     deck, meaning = deck_of(*turned)
     check(kinds(deck) == ["FREQUENCY"] and meaning["steps"] == [], "no static step")
-    check(deck.steps[0]["FREQUENCY"] == [6 + 3] and meaning["rigid_modes"] == 3,
+    check(deck.steps[0]["FREQUENCY"] == [6 + 3] and meaning["modes"]["rigid"] == 3,
           "three rigid motions")
     check("PERTURBATION" not in deck.steps[0]["options"], "no stresses")
     check({c for _, c in deck.steps[0]["BOUNDARY"]} == {3} and
           set(deck.steps[0]["BOUNDARY"].values()) == {0.}, "supports of the modes")
     check(set(deck.densities.values()) == {2.7e-9, 1.6e-9}, "densities")
     deck, meaning = deck_of(*turned, "Modes=100 to 500")
-    check(deck.steps[0]["FREQUENCY"] == [meaning["modes"] + 3, 100, 500], "a range")
+    check(deck.steps[0]["FREQUENCY"] == [meaning["modes"]["number"] + 3, 100, 500], "a range")
     deck, meaning = deck_of(*turned, "Supports=")
     check(deck.steps[0]["FREQUENCY"] == [6 + 6] and not deck.steps[0]["BOUNDARY"],
           "a free body is free")
@@ -396,10 +396,10 @@ def check_modes(program, scene, folder):
     deck, _ = deck_of(*without, "Bodies=tube", "Supports=tube")
     for ply, sign in ((1, 1.), (2, -1.)):
         name = f"BODY1_PLY{ply}"
-        turns = deck.turns[deck.axes[name + "_AXES"]]
-        check(sorted(turns) == sorted(deck.elsets[name]), f"axes of all elements of ply {ply}")
+        axes_of = deck.distributions[deck.axes[name + "_AXES"]]
+        check(sorted(axes_of) == sorted(deck.elsets[name]), f"axes of all elements of ply {ply}")
         worst = 0.
-        for e, axes in turns.items():
+        for e, axes in axes_of.items():
             x, _ = deck.shape(e, (0., 0., 0.))
             r = math.hypot(x[0] - 10, x[2] - 10)
             normal = ((x[0] - 10) / r, 0., (x[2] - 10) / r)

@@ -365,13 +365,9 @@ namespace lamella
         for (const LoadFactor &factor : scene.solve.load_factors)
           json["steps"].push_back(factor.of_scene());
       if (scene.find.modes)
-        {
-          json["rigid_modes"] = conditions.n_rigid_motions();
-          json["modes"]       = n_modes();
-          json["has_range"]   = scene.find.modes->range.has_value();
-        }
-      if (scene.find.n_buckling_modes > 0)
-        json["buckling_modes"] = scene.find.n_buckling_modes;
+        json["modes"] = {{"rigid", conditions.n_rigid_motions()},
+                         {"number", n_modes()},
+                         {"range", scene.find.modes->range.has_value()}};
       json["supports"] = meaning_of_supports();
       json["contacts"] = meaning_of_contacts();
       json["probes"]   = Json::object();

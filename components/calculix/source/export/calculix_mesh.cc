@@ -453,8 +453,8 @@ namespace lamella
         deck << head << axes_line(ply, placement, Point<3>());
         return;
       }
-    // The plies of a curved wall have other axes in each element.
-    const std::string table = set + "_TURNS";
+    // In a curved wall, ply axes differ from element to element.
+    const std::string table = set + "_TABLE";
     deck << "*DISTRIBUTION, NAME=" << table << "\n, "
          << numbers_line({1., 0., 0., 0., 1., 0.});
     for (unsigned int e = firsts[body].second; e < firsts[body + 1].second; ++e)
