@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Stiffness of a beam, by rows of Kronecker products, and its solvers.
+// Stiffness of a beam, by rows of Kronecker products.
 
-#include <lamella/base/processes.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/body_solver.h>
 #include <lamella/body/fields.h>
-#include <lamella/linear/block_factorization.h>
 #include <lamella/linear/factorization.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 namespace lamella
 {
@@ -20,22 +17,6 @@ namespace lamella
 
   namespace
   {
-    /// Whether every node couples all its fields with all of its neighbors'.
-    bool
-    is_dense(const SectionSpace &space,
-             const Axis         &axis,
-             const BeamDofMap   &dofs)
-    {
-      if (axis.has_assumed_shear())
-        return false;
-      for (unsigned int node = 0; node < dofs.n_nodes(); ++node)
-        if (!space.is_dense(dofs.fields(node)))
-          return false;
-      return true;
-    }
-
-
-
     /// Returns for each function of @p space whether a node has it.
     std::vector<bool>
     carried_functions(const SectionSpace &space, const BeamDofMap &dofs)
@@ -144,42 +125,6 @@ namespace lamella
                        space->n_dense() * double(row.size() + column.size()));
       }
     return sum;
-  }
-
-
-
-  std::unique_ptr<LinearSolver>
-  Beam::solver_of(const StiffnessTerms &terms,
-                  const Constraints    &constraints,
-                  const SolverKind      requested,
-                  const SolverMonitor  &monitor) const
-  {
-    if (requested != SolverKind::automatic || n_processes() > 1 ||
-        !is_dense(*space, *beam_axis, dof_map))
-      return Body::solver_of(terms, constraints, requested, monitor);
-    DenseBlocks blocks;
-    for (unsigned int node = 0; node < dof_map.n_nodes(); ++node)
-      blocks.first.push_back(dof_map.first(node));
-    blocks.first.push_back(dof_map.n_dofs());
-    for (unsigned int cell = 0; cell < beam_axis->n_cells(); ++cell)
-      blocks.cliques.push_back(beam_axis->nodes_of_cell(cell));
-    // Follower loads couple all nodes that they act on.
-    if (terms.has_loads)
-      terms.for_each_block(false, [&](const StiffnessBlock &block) {
-        std::set<unsigned int> nodes;
-        for (const DofIndex dof : block.columns)
-          nodes.insert(dof_map.node_of(dof));
-        blocks.cliques.emplace_back(nodes.begin(), nodes.end());
-      });
-    try
-      {
-        return factorize_blocks(
-          terms, blocks, constraints, "body '" + name() + "'", monitor);
-      }
-    catch (const NotPositiveDefinite &error)
-      {
-        rethrow_with_position(*this, error);
-      }
   }
 
 

@@ -24,9 +24,7 @@ namespace lamella
         "" :
         " on " + std::to_string(n_processes()) + " processes";
     if (statistics.kind != SolverKind::cg)
-      return (statistics.kind == SolverKind::mumps  ? "MUMPS" :
-              statistics.kind == SolverKind::blocks ? "Dense blocks" :
-                                                      "CHOLMOD") +
+      return (statistics.kind == SolverKind::mumps ? "MUMPS" : "CHOLMOD") +
              shared + ", factor of " + to_text(statistics.non_zeros, 3) +
              " non-zeros";
     const double n = statistics.solutions;

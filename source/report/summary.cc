@@ -102,10 +102,7 @@ namespace lamella
     Json
     solver_json(const SolverStatistics &solver)
     {
-      // No scene asks for blocks, so they have no name there.
-      Json json{{"name",
-                 solver.kind == SolverKind::blocks ? "blocks" :
-                                                     name_of(solver.kind)},
+      Json json{{"name", name_of(solver.kind)},
                 {"solutions", solver.solutions}};
       if (solver.kind == SolverKind::cg)
         {

@@ -25,10 +25,9 @@ namespace lamella
         "Linear solver",
         "auto",
         selection<SolverKind>(),
-        "auto: on one process cholmod, or dense blocks for beams of SV and "
-        "SV-N, on several mumps, cg for large solids; cholmod, mumps: direct "
-        "solvers; cg: conjugate gradients with algebraic multigrid, for "
-        "solids, with little memory.");
+        "auto: on one process cholmod, on several mumps, cg for large solids; "
+        "cholmod, mumps: direct solvers; cg: conjugate gradients with "
+        "algebraic multigrid, for solids, with little memory.");
       prm.declare_entry(
         "Memory limit",
         "auto",

@@ -121,15 +121,6 @@ namespace lamella
     for_each_mass_block(const Vector        &u,
                         const bool           with_values,
                         const BlockCallback &use) const override;
-    /// Returns the solver of factorize_blocks(), with a block per axis node, if
-    /// @p requested is `automatic`, there is one process, and the functions of
-    /// all nodes are dense (SectionSpace). Otherwise returns that of
-    /// Body::solver_of().
-    std::unique_ptr<LinearSolver>
-    solver_of(const StiffnessTerms &terms,
-              const Constraints    &constraints,
-              const SolverKind      requested,
-              const SolverMonitor  &monitor) const override;
     /// Returns the strain energy, and the largest rotation of all points.
     Deformation
     deformation(const Vector &u) const override;

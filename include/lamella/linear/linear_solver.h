@@ -4,7 +4,7 @@
 #define lamella_linear_linear_solver_h
 
 // The room `linear`: the assembled stiffness matrix, its factorization by
-// CHOLMOD, MUMPS or dense blocks, conjugate gradients, and the compliance B
+// CHOLMOD or MUMPS, conjugate gradients, and the compliance B
 // K^-1 B^T of constraints. It is independent of beams and contacts.
 
 #include <lamella/base/linear_functional.h>
@@ -24,9 +24,7 @@ namespace lamella
     automatic, ///< choice by body and number of processes
     cholmod,   ///< Cholesky factorization on one process
     mumps,     ///< Cholesky factorization shared by all processes
-    cg,        ///< conjugate gradients with algebraic multigrid
-    blocks     ///< Cholesky factorization by dense blocks (factorize_blocks());
-               ///< chosen by `automatic` only, for bodies with such blocks
+    cg         ///< conjugate gradients with algebraic multigrid
   };
 
   /// Names of the linear solvers in parameter files.
@@ -62,7 +60,7 @@ namespace lamella
   }
 
   /// Optional callbacks during the construction of a solver, each called once:
-  /// first `assembled`, then `factor_sized`, or in reverse for `blocks`.
+  /// first `assembled`, then `factor_sized`.
   struct SolverMonitor
   {
     std::function<void()> assembled; ///< Called collectively after assembly.
