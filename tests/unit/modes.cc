@@ -262,6 +262,19 @@ BOOST_AUTO_TEST_CASE(accelerated_and_moved_supports_agree)
 
 
 
+BOOST_AUTO_TEST_CASE(undamped_resonance_is_refused)
+{
+  const SolvedScene modes("/prm/harmonic_response.prm",
+                          {"Find=modes", "Load force/Factors="});
+  const double      own = modes.run.results().natural_modes->modes[0].value;
+  BOOST_CHECK_THROW(response({"Harmonic response/Damping=0",
+                              "Harmonic response/Frequencies=" +
+                                to_text(own, 17)}),
+                    InputError);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(free_bar_vibrates_about_its_rigid_motion)
 {
   const double EA = 210e5, L = 200.;
