@@ -267,9 +267,9 @@ BOOST_AUTO_TEST_CASE(undamped_resonance_is_refused)
   const SolvedScene modes("/prm/harmonic_response.prm",
                           {"Find=modes", "Load force/Factors="});
   const double      own = modes.run.results().natural_modes->modes[0].value;
-  BOOST_CHECK_THROW(response({"Harmonic response/Damping=0",
-                              "Harmonic response/Frequencies=" +
-                                to_text(own, 17)}),
+  BOOST_CHECK_THROW(response(
+                      {"Harmonic response/Damping=0",
+                       "Harmonic response/Frequencies=" + to_text(own, 17)}),
                     InputError);
 }
 
