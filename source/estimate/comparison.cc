@@ -299,7 +299,8 @@ namespace lamella
     for (unsigned int k = 0; k < of_run.quantities().size(); ++k)
       {
         const NamedQuantity &quantity = of_run.quantities()[k];
-        if (lacks(quantity, results) || lacks(quantity, at_supports))
+        if (lacks(quantity, results) || lacks(quantity, at_supports) ||
+            !of_contact.has(quantity))
           {
             goals.push_back(of_run.without_error_bar(k));
             goals.back().why = no_similar_mode;

@@ -281,6 +281,9 @@ namespace lamella
     key += describe("corner layers", corner_layers);
     for (const ContactPair &contact : contacts)
       key += describe(contact) + "; ";
-    return key;
+    if (find.modes)
+      key += describe(find.modes->range ? 0 : find.modes->number) +
+             (find.modes->has_stresses ? "stressed " : "");
+    return key + describe(find.n_buckling_modes);
   }
 } // namespace lamella

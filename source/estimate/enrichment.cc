@@ -377,7 +377,8 @@ namespace lamella
       if (n_natural > 0)
         find.modes = {n_natural,
                       {},
-                      run.results().last().checks.beyond.is_in_range()};
+                      run.results().last().checks.beyond.is_in_range(),
+                      true};
       find.n_buckling_modes = n_buckling;
       return find;
     }

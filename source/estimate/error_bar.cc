@@ -123,7 +123,10 @@ namespace lamella
     , values(run.results())
   {
     const GoalParameters &goals = run.model().scene().goals;
-    all                         = goals.quantities;
+    // A mode may not be found; tolerances belong to goals by their order.
+    for (const NamedQuantity &quantity : goals.quantities)
+      if (goals.tolerances.size() > 1 || values.has(quantity))
+        all.push_back(quantity);
     for (const std::string &probe : goals.probes_as_goals)
       for (const NamedQuantity &quantity : values.largest_at(probe))
         all.push_back(quantity);

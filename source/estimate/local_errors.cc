@@ -449,9 +449,12 @@ namespace lamella
     const ResultNumbers numbers(finer.results());
     const Localization  localization(run, finer);
     for (const NamedQuantity &quantity : goals.quantities())
-      result.push_back(localization.errors(quantity,
-                                           numbers.value(quantity) -
-                                             goals.numbers().value(quantity)));
+      result.push_back(
+        quantity.of == ObjectKind::mode ?
+          std::nullopt :
+          localization.errors(quantity,
+                              numbers.value(quantity) -
+                                goals.numbers().value(quantity)));
     return result;
   }
 } // namespace lamella

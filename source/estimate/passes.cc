@@ -124,23 +124,51 @@ namespace lamella
 
 
 
+  namespace
+  {
+    /// Returns @p pass with the goals of @p before, in their order. A mode that
+    /// was not found again has no bar.
+    Pass
+    with_goals_of(const Pass &before, Pass pass)
+    {
+      std::vector<GoalResult> goals;
+      for (const GoalResult &goal : before.goals)
+        {
+          const auto same = std::find_if(pass.goals.begin(),
+                                         pass.goals.end(),
+                                         [&](const GoalResult &one) {
+                                           return one.name == goal.name;
+                                         });
+          goals.push_back(same == pass.goals.end() ? goal : *same);
+          if (same != pass.goals.end())
+            continue;
+          goals.back().trusted = false;
+          goals.back().why     = no_similar_mode;
+        }
+      pass.goals = std::move(goals);
+      return pass;
+    }
+  } // namespace
+
+
+
   void
   Passes::add(const Pass &pass, const PassRefinement &refined)
   {
-    made.push_back(pass);
+    made.push_back(made.empty() ? pass : with_goals_of(made.back(), pass));
     refinements.push_back(refined);
     const std::size_t n = made.size();
     if (refined.divides_cells && before_division == 0)
       before_division = n - 1;
     if (n > 2)
-      for (unsigned int g = 0; g < pass.goals.size(); ++g)
+      for (unsigned int g = 0; g < last().goals.size(); ++g)
         shorten(made.back().goals[g],
                 {made[n - 3].goals[g],
                  made[n - 2].goals[g],
                  refinements[n - 2],
                  refined},
                 rules);
-    dropped_in_pass.resize(pass.goals.size(), 0);
+    dropped_in_pass.resize(last().goals.size(), 0);
     for (unsigned int g = 0; g < dropped_in_pass.size(); ++g)
       if (dropped_in_pass[g] == 0 && must_be_dropped(g))
         dropped_in_pass[g] = made.size();

@@ -63,9 +63,10 @@ namespace lamella
       const bool is_smaller = dofs <= max_share * run.results().n_dofs();
       std::vector<double> lost;
       for (const NamedQuantity &quantity : goals.quantities())
-        lost.push_back(is_smaller ? std::abs(goals.numbers().value(quantity) -
-                                             own.numbers.value(quantity)) :
-                                    std::numeric_limits<double>::infinity());
+        lost.push_back(is_smaller && own.numbers.has(quantity) ?
+                         std::abs(goals.numbers().value(quantity) -
+                                  own.numbers.value(quantity)) :
+                         std::numeric_limits<double>::infinity());
       return lost;
     }
 
@@ -174,9 +175,11 @@ namespace lamella
     next->solve();
     check_loads(*next);
     check_active_contact(*next);
-    cache.keep({for_estimates(*next),
-                ResultNumbers(next->results()),
-                sizes_of(next->model())});
+    // It has its own modes, not those that comparisons look for.
+    Scene known = for_estimates(*next);
+    known.find  = next->model().scene().find;
+    cache.keep(
+      {known, ResultNumbers(next->results()), sizes_of(next->model())});
     Pass pass;
     pass.dofs           = next->results().n_dofs();
     pass.operations     = operations;
@@ -184,7 +187,9 @@ namespace lamella
     pass.goals          = bars.goals;
     pass.recipe         = bars.recipe;
     check_any_bar(pass.goals);
-    for (unsigned int g = 0; g < surrogate_errors.size(); ++g)
+    for (unsigned int g = 0;
+         g < std::min(surrogate_errors.size(), pass.goals.size());
+         ++g)
       raise_share(pass.goals[g], Source::fields, surrogate_errors[g]);
     pass.seconds =
       dealii::Utilities::MPI::max(wall.wall_time(), communicator());

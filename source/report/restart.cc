@@ -138,7 +138,7 @@ namespace boost
     serialize(Archive &archive, lamella::Restart &restart, const unsigned int)
     {
       // To be incremented with each change of what is stored.
-      constexpr unsigned int layout = 5;
+      constexpr unsigned int layout = 6;
       unsigned int           found  = layout;
       archive               &found;
       if (found != layout)

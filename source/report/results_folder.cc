@@ -26,8 +26,8 @@ namespace lamella
     {
       static const std::regex form(
         R"re((summary\.json|restart|scene\.prm|report\.html|contact_.*\.(csv|pvd|vtu))re"
-        R"re(|(probes|history|fields|goals|plies|indicators|passes|plies_along|failure)\.csv)re"
-        R"re(|solution(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
+        R"re(|(probes|history|fields|goals|plies|indicators|passes|plies_along|failure|modes|response)\.csv)re"
+        R"re(|(solution|mode|buckling)(_.*)?\.(pvd|vtu|pvtu)|(lines|cuts|sections)/.*\.csv)re"
         R"re(|sections/.*\.json)re"
         R"re(|pictures/.*\.png)(\.new)?)re");
       return std::regex_match(name, form);

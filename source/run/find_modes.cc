@@ -231,7 +231,15 @@ namespace lamella
         request.n_buckling_modes, *system, state, stresses.get(), results);
     const ResultNumbers numbers(results);
     for (const NamedQuantity &goal : built.scene().goals.quantities)
-      if (goal.of == NamedQuantity::ObjectKind::mode)
+      if (goal.of != NamedQuantity::ObjectKind::mode)
+        continue;
+      else if (numbers.has(goal))
         results.quantities[goal.label()] = numbers.value(goal);
+      else
+        results.endnotes.push_back("run.mode-not-found: There is no value of " +
+                                   goal.label() +
+                                   ": this mode is not among those that were "
+                                   "found. Request more Modes, or another "
+                                   "range");
   }
 } // namespace lamella

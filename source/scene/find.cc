@@ -53,8 +53,8 @@ namespace lamella
         "",
         Anything(),
         "Frequencies [Hz]: a list as 10, 20, 50, or a range as 0 "
-        "to 500 in 100 (equal intervals). Natural frequencies and "
-        "half-power points within it are added.");
+        "to 500 in 100 (equal intervals). Natural frequencies of "
+        "damped modes within it and their half-power points are added.");
       prm.declare_entry("Damping",
                         "",
                         patterns::numbers(),

@@ -174,10 +174,18 @@ namespace lamella
   {
     std::vector<double> all   = request.frequencies;
     const double        first = all.front(), last = all.back();
+    const auto          is_undamped = [this](const double f) {
+      for (unsigned int k = 0; k < natural.size(); ++k)
+        if (request.damping_of(k) == 0. &&
+            std::abs(f - natural[k]) <= arithmetic::same_value * f)
+          return true;
+      return false;
+    };
     for (unsigned int k = 0; k < natural.size(); ++k)
       if (const double zeta = request.damping_of(k); zeta > 0.)
         for (const double factor : {1. - zeta, 1., 1. + zeta})
-          if (const double f = factor * natural[k]; f > first && f < last)
+          if (const double f = factor * natural[k];
+              f > first && f < last && !is_undamped(f))
             all.push_back(f);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(),

@@ -179,7 +179,14 @@ namespace lamella
     {
       n_below = 0;
       if (!request.range)
-        return all_eigenpairs(problem, like, request.number, n_free);
+        return all_eigenpairs(problem,
+                              like,
+                              request.is_limit ?
+                                std::clamp(largest_number(n_free),
+                                           1u,
+                                           request.number) :
+                                request.number,
+                              n_free);
       const double lower = request.range->first, upper = request.range->second;
       const Entry  entry("Modes", to_text(lower) + " to " + to_text(upper));
       const Eigenpairs all = pairs_beyond(upper, problem, like, n_free, entry);

@@ -45,6 +45,13 @@ namespace lamella
             const Scene                      &poorer,
             const ResultNumbers              &numbers);
 
+    /// Returns false if @p goal is a mode that a coarser model lacks.
+    bool
+    has(const NamedQuantity &goal) const
+    {
+      return (!exact || exact->has(goal)) && (!shorter || shorter->has(goal));
+    }
+
     /// Adds the changes of @p goal, one of the goals of compare(), times the
     /// factors in EstimateRules to @p result: the signed changes to the
     /// error estimate, their absolute values to the bar.

@@ -119,8 +119,8 @@ namespace lamella
 
   /// Returns the quantity in @p text, NAME: COLUMN, or for a contact NAME:
   /// COLUMN in AXIS FROM TO. Throws InputError for other forms, unless FROM <
-  /// TO, and unless a probe, a measure, or exactly one support or contact has
-  /// this name and column. check_strip() checks the range.
+  /// TO, and unless a probe, a measure, a mode, or exactly one support or
+  /// contact has this name and column. check_strip() checks the range.
   NamedQuantity
   parse_quantity(const Entry &text, const QuantityNames &names);
 
@@ -180,7 +180,8 @@ namespace lamella
 
     /// Returns the value of @p quantity. Throws InputError if its probe lies on
     /// a ply interface, the values of both plies differ (by 1e-9 relatively),
-    /// and @p quantity does not name one of the plies.
+    /// and @p quantity does not name one of the plies; or if it is a mode that
+    /// was not found.
     double
     value(const NamedQuantity &quantity) const;
 

@@ -59,6 +59,8 @@ namespace lamella
     std::optional<std::pair<double, double>> range = {};
     /// True if modes include the stresses of the state, in its linear range.
     bool has_stresses = true;
+    /// True if a model with too few DoFs returns fewer modes.
+    bool is_limit = false;
   };
 
   /// Returns the modes v with (K + K_G) v = (2 pi f)^2 M v about @p state,

@@ -98,6 +98,21 @@ namespace lamella
                          "export.buckling-with-contact: CalculiX has no closed "
                          "contacts in a buckling step",
                          "Remove buckling from Find, or Contacts.");
+      if (scene.find.n_buckling_modes > 0 &&
+          scene.solve.rotations == Rotations::large)
+        throw InputError(
+          "Find",
+          "buckling",
+          "export.buckling-with-large-rotations: linear buckling "
+          "multiplies the stresses of linear kinematics",
+          "Write Rotations = linear, or remove buckling.");
+      if (scene.find.response)
+        throw InputError("Find",
+                         "response",
+                         "export.response: the exported file has no steady "
+                         "harmonic response",
+                         "Write Find = modes, and add *STEADY STATE DYNAMICS "
+                         "to the exported file.");
     }
 
 
