@@ -239,6 +239,17 @@ namespace lamella
           words += section + " " + what + describe(number) + "; ";
       return words;
     }
+
+
+
+    std::string
+    describe(const FindRequest &find)
+    {
+      const bool is_number = find.modes && !find.modes->range;
+      return describe(is_number ? find.modes->number : 0) +
+             (find.modes && find.modes->has_stresses ? "stressed " : "") +
+             describe(find.n_buckling_modes);
+    }
   } // namespace
 
 
@@ -281,9 +292,6 @@ namespace lamella
     key += describe("corner layers", corner_layers);
     for (const ContactPair &contact : contacts)
       key += describe(contact) + "; ";
-    if (find.modes)
-      key += describe(find.modes->range ? 0 : find.modes->number) +
-             (find.modes->has_stresses ? "stressed " : "");
-    return key + describe(find.n_buckling_modes);
+    return key + describe(find);
   }
 } // namespace lamella

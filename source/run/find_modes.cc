@@ -193,6 +193,26 @@ namespace lamella
                                                 factor),
         built.rows());
     }
+
+
+
+    /// Sets the values of the modes among @p goals, or a note.
+    void
+    add_quantities(const std::vector<NamedQuantity> &goals, Results &results)
+    {
+      const ResultNumbers numbers(results);
+      for (const NamedQuantity &goal : goals)
+        if (goal.of != NamedQuantity::ObjectKind::mode)
+          continue;
+        else if (numbers.has(goal))
+          results.quantities[goal.label()] = numbers.value(goal);
+        else
+          results.endnotes.push_back(
+            "run.mode-not-found: There is no value of " + goal.label() +
+            ": this mode is not among those that were "
+            "found. Request more Modes, or another "
+            "range");
+    }
   } // namespace
 
 
@@ -229,17 +249,6 @@ namespace lamella
     if (request.n_buckling_modes > 0)
       find_buckling_modes(
         request.n_buckling_modes, *system, state, stresses.get(), results);
-    const ResultNumbers numbers(results);
-    for (const NamedQuantity &goal : built.scene().goals.quantities)
-      if (goal.of != NamedQuantity::ObjectKind::mode)
-        continue;
-      else if (numbers.has(goal))
-        results.quantities[goal.label()] = numbers.value(goal);
-      else
-        results.endnotes.push_back("run.mode-not-found: There is no value of " +
-                                   goal.label() +
-                                   ": this mode is not among those that were "
-                                   "found. Request more Modes, or another "
-                                   "range");
+    add_quantities(built.scene().goals.quantities, results);
   }
 } // namespace lamella

@@ -192,7 +192,7 @@ namespace lamella
                           all.end(),
                           [](const double one, const double other) {
                             return other - one <=
-                                   arithmetic::rounding_of_results * other;
+                                   arithmetic::negligible * other;
                           }),
               all.end());
     return all;
