@@ -3,10 +3,15 @@
 #ifndef lamella_export_calculix_mesh_h
 #define lamella_export_calculix_mesh_h
 
-#include <lamella/export/calculix_element.h>
+#include <lamella/contact/contact_pair.h>
 #include <lamella/scene/scene.h>
 
+#include <deal.II/base/point.h>
+
+#include <array>
 #include <iosfwd>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,6 +19,68 @@
 
 namespace lamella
 {
+  /// A hexahedral element type of CalculiX: 20-node serendipity element with
+  /// reduced integration (C3D20R), trilinear element with incompatible modes
+  /// (C3D8I) or with reduced integration (C3D8R). Coordinates are in the unit
+  /// cube [0, 1]^3. Nodes are in the order of CalculiX: corners of the bottom z
+  /// = 0, corners of the top, then midpoints of bottom, top and vertical edges.
+  class CalculixElement
+  {
+  public:
+    /// Selects the type @p name. Throws InputError if the name is unknown.
+    explicit CalculixElement(const std::string &name);
+
+    /// Returns the name of the element type in CalculiX, such as C3D20R.
+    const std::string &
+    name() const
+    {
+      return element_name;
+    }
+
+    /// Returns the degree of the shape functions, 2 or 1.
+    unsigned int
+    degree() const
+    {
+      return unit_nodes.size() == 20 ? 2 : 1;
+    }
+
+    /// Returns the number of nodes of the element, 20 or 8.
+    unsigned int
+    n_nodes() const
+    {
+      return unit_nodes.size();
+    }
+
+    /// Returns the position of the node of index @p i in the unit cube.
+    const dealii::Point<3> &
+    unit_node(const unsigned int i) const
+    {
+      return unit_nodes[i];
+    }
+
+    /// Returns the shape functions N_i at x = @p unit in the unit cube, with r
+    /// = 2 x - 1 and node i at r = r_i. Trilinear shape functions are
+    ///   N_i = prod_d (1 + r_id r_d) / 2.
+    /// For 20 nodes, corners have this product times (sum_d r_id r_d - 2).
+    /// Midpoints have the factor 1 - r_d^2 in the direction of their edge.
+    std::vector<double>
+    shape_values(const dealii::Point<3> &unit) const;
+
+    /// Returns the node indices, ascending, of face @p face in deal.II's order.
+    std::vector<unsigned int>
+    face_nodes(const unsigned int face) const;
+
+  private:
+    std::string element_name;
+    /// Unit coordinates of the nodes.
+    std::vector<dealii::Point<3>> unit_nodes;
+  };
+
+  /// Returns the number in CalculiX (1 to 6 for S1 to S6) of the element face
+  /// of index @p face (0 to 5) in deal.II.
+  unsigned int
+  calculix_face(const unsigned int face);
+
   class Solid;
 
   /// Element faces: pairs of an element number and deal.II's index of the face.
@@ -167,6 +234,194 @@ namespace lamella
   write_set(std::ostream                 &deck,
             const std::string            &keyword,
             const std::set<unsigned int> &set);
+
+  /// Nodal forces at load factor 1 in scene axes, by node number.
+  using NodalForces = std::map<unsigned int, dealii::Tensor<1, 3>>;
+
+  /// Supports and loads of a scene as conditions on the nodes of a CalculiX
+  /// input deck. Loads become consistent nodal forces f_i = int N_i t dA with
+  /// shape functions N_i and traction t. Supports prescribe nodal displacements
+  /// along scene axes. A node of two supports is assigned to the first, so that
+  /// the sum of reactions is correct. Keeps a reference to the scene.
+  class CalculixConditions
+  {
+  public:
+    /// Throws InputError for supports that cannot be prescribed at nodes: lines
+    /// and points that are not at nodes, normals oblique to scene axes,
+    /// contradictory values; also if only contact constrains a rigid motion.
+    CalculixConditions(const Scene &scene, const CalculixMesh &mesh);
+
+    /// Returns the nodes at which support @p s prescribes the displacement
+    /// component @p c (0 to 2). Its reaction is the sum of their reactions.
+    const std::set<unsigned int> &
+    nodes(const unsigned int s, const unsigned int c) const
+    {
+      return held[s][c];
+    }
+
+    /// Returns the sum of applied forces in direction @p c at the nodes of
+    /// support @p s, at load factor 1. CalculiX includes it in reactions.
+    double
+    load_vector_on(const unsigned int s, const unsigned int c) const;
+
+    /// Returns whether the scene has static steps: always, except for natural
+    /// modes without loads, contacts and prescribed displacements.
+    bool
+    has_static_steps() const
+    {
+      return has_statics;
+    }
+
+    /// Returns the number of rigid motions that supports leave free.
+    unsigned int
+    n_rigid_motions() const
+    {
+      return n_free_motions;
+    }
+
+    /// Returns the node set name of support @p s, component @p c: SUPPORT1_X.
+    static std::string
+    set_name(const unsigned int s, const unsigned int c);
+
+    /// Writes the node sets to @p deck, one per support and component.
+    void
+    write_sets(std::ostream &deck) const;
+
+    /// Writes prescribed displacements and nodal forces, times @p factor.
+    void
+    write_step(std::ostream &deck, const double factor) const;
+
+  private:
+    /// Prescribes the displacements of the nodes of the support of index @p s.
+    void
+    add_support(const unsigned int s, const CalculixMesh &mesh);
+    /// Prescribes the displacement @p value for @p component of @p node by
+    /// support @p s. Throws InputError if another support contradicts it.
+    void
+    hold(const unsigned int  node,
+         const unsigned int  component,
+         const double        value,
+         const unsigned int  s,
+         const CalculixMesh &mesh);
+
+    const Scene &scene;
+    /// Prescribed displacement of each node and component.
+    std::map<std::pair<unsigned int, unsigned int>, double> values;
+    /// Nodes at which each support prescribes each component.
+    std::vector<std::array<std::set<unsigned int>, 3>> held;
+    /// Sum of the nodal forces of all loads.
+    NodalForces  nodal_forces;
+    bool         has_statics    = true;
+    unsigned int n_free_motions = 0;
+  };
+
+  /// The rigid surface of an obstacle in CalculiX: a layer of 20-node hexahedra
+  /// whose faces S2 are on the surface. Node indices begin at 0.
+  struct ObstacleLayer
+  {
+    /// Positions of nodes in scene axes.
+    std::vector<dealii::Point<3>> nodes;
+    /// Indices of the twenty nodes of each element, in the order of CalculiX.
+    std::vector<std::vector<unsigned int>> elements;
+    /// Prescribed displacement of all nodes at load factor 1 [length].
+    dealii::Tensor<1, 3> displacement;
+  };
+
+  /// Returns the elements for the part of the surface of @p obstacle that
+  /// contains the points @p facing (not empty), extended on all sides by a
+  /// twentieth of its size plus the tangential displacement of the obstacle. A
+  /// plane has 8 x 8 elements. Elements of a cylinder span at most 2 degrees;
+  /// their parabolic edges deviate from the circle by less than 1e-8 radii.
+  ObstacleLayer
+  make_layer(const Obstacle                      &obstacle,
+             const std::vector<dealii::Point<3>> &facing);
+
+  /// A surface-to-surface contact in CalculiX.
+  struct CalculixContact
+  {
+    /// Name of the contact in the scene.
+    std::string   name;
+    CalculixFaces slave;  ///< Element faces of the slave surface.
+    CalculixFaces master; ///< Element faces of the master surface.
+    /// True if the slave surface is the second side of the scene's contact.
+    bool slave_is_second = false;
+    /// Penalty stiffness: pressure over penetration [force / length^3].
+    double stiffness = 0.;
+    /// Elements that represent an obstacle; empty for contact of two bodies.
+    std::optional<ObstacleLayer> layer;
+    unsigned int first_node    = 0; ///< Number of the first node of `layer`.
+    unsigned int first_element = 0; ///< Number of its first element.
+  };
+
+  /**
+   * Contacts of a scene as surface-to-surface contacts of CalculiX with
+   * friction. The contact pressure is K times the penetration, even if the
+   * scene uses another enforcement of contact.
+   *
+   * K is the penalty stiffness [force / length^3]. By default it is 100
+   * E_n / h of the softer side (normal modulus E_n, smallest depth h of
+   * hexahedra at the surface). For a slender body, with a smallest extent d
+   * below a tenth of its largest extent L, it is reduced by 10 d / L, since
+   * contact iterations of CalculiX may fail otherwise
+   * (doc/verification/calculix.md).
+   *
+   * The slave surface is the one named by `Slave side`, otherwise that with
+   * smaller faces on average; in contact with an obstacle it is the body. Nodes
+   * and elements of obstacles are numbered after those of the bodies. Keeps a
+   * reference to the scene.
+   */
+  class CalculixContacts
+  {
+  public:
+    /// Creates the contacts of @p scene. @p stiffness, unless empty, replaces
+    /// the default penalty stiffness of all contacts. Throws InputError for
+    /// `Overclosure = adjust`, for surfaces that a body does not have, and for
+    /// surfaces farther from an obstacle than the search radius.
+    CalculixContacts(const Scene                 &scene,
+                     const CalculixMesh          &mesh,
+                     const std::optional<double> &stiffness);
+
+    /// Returns the contacts in the order of the scene.
+    const std::vector<CalculixContact> &
+    contacts() const
+    {
+      return list;
+    }
+
+    /// Returns the name of the slave surface (@p slave is true) or master
+    /// surface (false) of the contact of index @p k, such as CONTACT1_SLAVE.
+    static std::string
+    surface_name(const unsigned int k, const bool slave);
+
+    /// Writes elements of obstacles, surfaces, contact laws and contact pairs.
+    void
+    write_model(std::ostream &deck) const;
+
+    /// Writes the displacements of obstacles, times the load factor @p factor.
+    void
+    write_step(std::ostream &deck, const double factor) const;
+
+    /// Writes the output requests for contact resultants and pressures.
+    void
+    write_output(std::ostream &deck) const;
+
+  private:
+    /// Adds the contact of index @p k in the scene with its default penalty.
+    void
+    add(const unsigned int k, const CalculixMesh &mesh);
+    /// Sets @p layer as master surface of @p contact and numbers its nodes.
+    void
+    add_layer(ObstacleLayer layer, CalculixContact &contact);
+    /// Writes nodes, elements and material of the obstacle of contact @p k.
+    void
+    write_layer(std::ostream &deck, const unsigned int k) const;
+
+    const Scene &scene;
+    /// Contacts in the order of the scene.
+    std::vector<CalculixContact> list;
+    /// Next free node number and element number.
+    unsigned int next_node, next_element;
+  };
 } // namespace lamella
 
 #endif
