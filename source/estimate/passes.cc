@@ -131,16 +131,19 @@ namespace lamella
     Pass
     with_goals_of(const Pass &before, Pass pass)
     {
+      const auto             &found = pass.goals;
       std::vector<GoalResult> goals;
-      for (const GoalResult &goal : before.goals)
+      for (unsigned int g = 0; g < before.goals.size(); ++g)
         {
-          const auto same = std::find_if(pass.goals.begin(),
-                                         pass.goals.end(),
-                                         [&](const GoalResult &one) {
-                                           return one.name == goal.name;
-                                         });
-          goals.push_back(same == pass.goals.end() ? goal : *same);
-          if (same != pass.goals.end())
+          const GoalResult &goal    = before.goals[g];
+          const auto        is_same = [&](const GoalResult &one) {
+            return one.name == goal.name;
+          };
+          const auto same = g < found.size() && is_same(found[g]) ?
+                              found.begin() + g :
+                              std::find_if(found.begin(), found.end(), is_same);
+          goals.push_back(same == found.end() ? goal : *same);
+          if (same != found.end())
             continue;
           goals.back().trusted = false;
           goals.back().why     = no_similar_mode;
