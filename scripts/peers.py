@@ -178,7 +178,8 @@ def read_modes(path, rigid):
             if len(row) == 1:
                 values[kind] += [number(row[0])] if number(row[0]) > 0. else []
             elif int(n) > rigid:
-                values[kind].append(number(row[2]))
+                # With friction the matrices are unsymmetric, and eigenvalues left out.
+                values[kind].append(number(row[-2]))
     return values.values()
 
 
