@@ -87,7 +87,8 @@ namespace lamella
     void
     do_steps(Simulation        &simulation,
              ResultsWriter     &writer,
-             const std::string &directory)
+             const std::string &directory,
+             bool              &is_writing)
     {
       const Results &found = simulation.results();
       // Steps of an earlier run, which are not looked at again.
@@ -97,7 +98,9 @@ namespace lamella
         {
           simulation.solve([&](const Results &results) {
             const SignalBlock whole;
+            is_writing = true;
             writer.write_step(results);
+            is_writing = false;
             update_interruption_message(directory,
                                         results.steps.size(),
                                         results.load_steps,
@@ -134,13 +137,15 @@ namespace lamella
                 const std::string &directory)
     {
       const bool is_resumed = !simulation.results().steps.empty();
+      bool       is_writing = false;
       try
         {
-          do_steps(simulation, writer, directory);
+          do_steps(simulation, writer, directory, is_writing);
         }
       catch (const InputError &)
         {
-          if (!is_resumed)
+          // A full disk is no fault of the scene.
+          if (!is_resumed && !is_writing)
             writer.discard();
           throw;
         }
