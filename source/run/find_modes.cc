@@ -17,30 +17,20 @@ namespace lamella
 
 
 
-    /// Computes the natural modes; @p stresses are null without prestress.
+    /// Computes the natural modes by @p equations.
     void
     find_natural_modes(const ModeRequest        &request,
-                       LinearSystem             &system,
-                       const State              &state,
-                       const GeometricStiffness *stresses,
+                       const VibrationEquations &equations,
                        Results                  &results)
     {
-      // Stresses of linear kinematics are no approximation beyond its range.
-      const bool is_in_range =
-        request.has_stresses && results.last().checks.beyond.is_in_range();
       results.natural_modes =
-        natural_modes(system, state, is_in_range ? stresses : nullptr, request);
+        natural_modes(equations, results.inertia->center(), request);
       if (!request.range &&
           results.natural_modes->modes.size() < request.number)
         results.endnotes.push_back(
           "run.few-modes: only " +
           std::to_string(results.natural_modes->modes.size()) +
           " natural modes were found");
-      if (!is_in_range)
-        results.endnotes.push_back(
-          "run.modes-without-prestress: The last load step is beyond the range "
-          "of linear kinematics: natural modes are those of bodies without "
-          "stresses. Use Rotations = large to include the stresses");
     }
 
 
@@ -103,20 +93,15 @@ namespace lamella
 
 
 
-    /// Computes the response at the probes; @p stresses as in find_modes().
+    /// Computes the response at the probes by @p equations.
     void
     find_response(const BuiltScene         &built,
                   const HarmonicRequest    &request,
-                  LinearSystem             &system,
-                  const State              &state,
-                  const GeometricStiffness *stresses,
+                  const VibrationEquations &equations,
                   Results                  &results)
     {
-      const bool is_in_range = results.last().checks.beyond.is_in_range();
-      const HarmonicResponse   response(system,
-                                      state,
+      const HarmonicResponse   response(equations,
                                       results.last().load_factor,
-                                      is_in_range ? stresses : nullptr,
                                       *results.natural_modes,
                                       request);
       std::vector<HarmonicRow> rows;
@@ -125,7 +110,7 @@ namespace lamella
           rows.push_back({0., p, row.ply, {}});
       std::vector<std::vector<Columns>> fields;
       for (const BlockVector &motion : response.motions())
-        fields.push_back(derivatives(built, state.u, motion));
+        fields.push_back(derivatives(built, equations.state.u, motion));
       for (const double frequency : response.frequencies())
         add_rows(frequency,
                  response.coefficients(frequency),
@@ -141,6 +126,34 @@ namespace lamella
           to_text(modes.empty() ? 0. : modes.back().value, 6) +
           " Hz only; others respond as in statics. Request more Modes, up to "
           "twice the largest frequency");
+    }
+
+
+
+    /// Computes the natural modes and the response; @p stresses are null
+    /// without stresses, or if the tangent contains them.
+    void
+    find_vibrations(const BuiltScene         &built,
+                    LinearSystem             &system,
+                    const State              &state,
+                    const GeometricStiffness *stresses,
+                    Results                  &results)
+    {
+      const FindRequest &request = built.scene().find;
+      // Stresses of linear kinematics are no approximation beyond its range.
+      const bool is_in_range = request.modes->has_stresses &&
+                               results.last().checks.beyond.is_in_range();
+      const VibrationEquations equations(system,
+                                         state,
+                                         is_in_range ? stresses : nullptr);
+      find_natural_modes(*request.modes, equations, results);
+      if (!is_in_range)
+        results.endnotes.push_back(
+          "run.modes-without-prestress: The last load step is beyond the range "
+          "of linear kinematics: natural modes are those of bodies without "
+          "stresses. Use Rotations = large to include the stresses");
+      if (request.response)
+        find_response(built, *request.response, equations, results);
     }
 
 
@@ -241,11 +254,7 @@ namespace lamella
         "an unsymmetric stiffness, and modes need a symmetric one",
         "Replace moments and pressures on edges by forces.");
     if (request.modes)
-      find_natural_modes(
-        *request.modes, *system, state, stresses.get(), results);
-    if (request.response)
-      find_response(
-        built, *request.response, *system, state, stresses.get(), results);
+      find_vibrations(built, *system, state, stresses.get(), results);
     if (request.n_buckling_modes > 0)
       find_buckling_modes(
         request.n_buckling_modes, *system, state, stresses.get(), results);

@@ -19,17 +19,14 @@ namespace lamella
   {
     /// Returns the acceleration @p a of all bodies.
     BlockVector
-    translation(const Structure            &structure,
-                const BlockVector          &u,
-                const dealii::Tensor<1, 3> &a)
+    translation(const Structure    &structure,
+                const BlockVector  &u,
+                const Tensor<1, 3> &a)
     {
-      BlockVector all = structure.zero();
-      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-        {
-          const auto rigid = structure.bodies()[b]->rigid_motions(u.block(b));
-          for (unsigned int d = 0; d < 3; ++d)
-            all.block(b).add(a[d], rigid[d]);
-        }
+      const auto  rigid = rigid_motions_about(structure, u, Point<3>());
+      BlockVector all   = structure.zero();
+      for (unsigned int d = 0; d < 3; ++d)
+        all.add(a[d], rigid[d]);
       return all;
     }
 
@@ -56,10 +53,8 @@ namespace lamella
 
 
 
-  HarmonicResponse::HarmonicResponse(LinearSystem             &system,
-                                     const State              &state,
+  HarmonicResponse::HarmonicResponse(const VibrationEquations &equations,
                                      const LoadFactor         &factor,
-                                     const GeometricStiffness *prestress,
                                      const NaturalModes       &modes,
                                      const HarmonicRequest    &request)
     : request(request)
@@ -67,21 +62,17 @@ namespace lamella
   {
     for (const Mode &mode : modes.modes)
       natural.push_back(mode.value);
-    const Structure   &structure = system.tangent().of();
-    const MassMatrix   mass(structure, state.u);
-    const SmallMotions small(
-      system,
-      state,
-      [&](const BlockVector &v) { return mass(v); },
-      prestress == nullptr ?
-        Operator() :
-        [&](const BlockVector &v) { return (*prestress)(v); });
-    const LoadFactor  raised = factor.with_oscillation();
-    const BlockVector u_s =
-      quasi_static(small, system.tangent().support_increment(factor, raised));
-    BlockVector f = structure.load(raised, state.u);
-    f -= structure.load(factor, state.u);
-    f -= mass(translation(structure, state.u, request.base_acceleration));
+    const TangentOperator &tangent   = equations.system.tangent();
+    const Structure       &structure = tangent.of();
+    const MassMatrix      &mass      = equations.mass;
+    const SmallMotions    &small     = equations.motions;
+    const BlockVector     &u         = equations.state.u;
+    const LoadFactor       raised    = factor.with_oscillation();
+    const BlockVector      u_s =
+      quasi_static(small, tangent.support_increment(factor, raised));
+    BlockVector f = structure.load(raised, u);
+    f -= structure.load(factor, u);
+    f -= mass(translation(structure, u, request.base_acceleration));
     const BlockVector Mu = mass(u_s);
     basis                = {u_s, small.solve(Mu)};
     basis[0] += small.solve(f);
@@ -111,6 +102,19 @@ namespace lamella
 
 
 
+  bool
+  HarmonicResponse::is_undamped(const double frequency,
+                                const double tolerance) const
+  {
+    for (unsigned int k = 0; k < natural.size(); ++k)
+      if (request.damping_of(k) == 0. &&
+          std::abs(frequency - natural[k]) <= tolerance * natural[k])
+        return true;
+    return false;
+  }
+
+
+
   void
   HarmonicResponse::check_frequencies() const
   {
@@ -130,14 +134,11 @@ namespace lamella
             "solve.static-response-of-free-bodies: the response at 0 Hz is "
             "unbounded, since the loads move free bodies",
             "Begin at a higher frequency, or hold the bodies.");
-        for (unsigned int k = 0; k < natural.size(); ++k)
-          if (request.damping_of(k) == 0. &&
-              std::abs(f - natural[k]) <=
-                arithmetic::rounding_of_results * natural[k])
-            refuse(f,
-                   "solve.undamped-resonance: the response is unbounded, since "
-                   "this is the natural frequency of an undamped mode",
-                   "Write another frequency, or Damping.");
+        if (is_undamped(f, arithmetic::rounding_of_results))
+          refuse(f,
+                 "solve.undamped-resonance: the response is unbounded, since "
+                 "this is the natural frequency of an undamped mode",
+                 "Write another frequency, or Damping.");
       }
   }
 
@@ -174,18 +175,11 @@ namespace lamella
   {
     std::vector<double> all   = request.frequencies;
     const double        first = all.front(), last = all.back();
-    const auto          is_undamped = [this](const double f) {
-      for (unsigned int k = 0; k < natural.size(); ++k)
-        if (request.damping_of(k) == 0. &&
-            std::abs(f - natural[k]) <= arithmetic::same_value * f)
-          return true;
-      return false;
-    };
     for (unsigned int k = 0; k < natural.size(); ++k)
       if (const double zeta = request.damping_of(k); zeta > 0.)
         for (const double factor : {1. - zeta, 1., 1. + zeta})
           if (const double f = factor * natural[k];
-              f > first && f < last && !is_undamped(f))
+              f > first && f < last && !is_undamped(f, arithmetic::same_value))
             all.push_back(f);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(),

@@ -114,34 +114,6 @@ namespace lamella
 
 
 
-    /// Returns the rigid motions of all bodies together: translations along the
-    /// scene axes, and rotations about @p center.
-    std::vector<BlockVector>
-    rigid_motions_about(const Structure   &structure,
-                        const BlockVector &u,
-                        const Point<3>    &center)
-    {
-      std::vector<BlockVector> motions(6, structure.zero());
-      for (unsigned int b = 0; b < structure.bodies().size(); ++b)
-        {
-          const Body               &body = *structure.bodies()[b];
-          const std::vector<Vector> own  = body.rigid_motions(u.block(b));
-          const Tensor<1, 3>        arm  = body.center() - center;
-          for (unsigned int m = 0; m < 3; ++m)
-            {
-              motions[m].block(b)     = own[m];
-              motions[3 + m].block(b) = own[3 + m];
-              // e_m x arm.
-              const unsigned int i = (m + 1) % 3, j = (m + 2) % 3;
-              motions[3 + m].block(b).add(-arm[j], own[i]);
-              motions[3 + m].block(b).add(arm[i], own[j]);
-            }
-        }
-      return motions;
-    }
-
-
-
     /// Returns the pairs with frequencies up to more than @p upper. Refuses
     /// @p entry if the model has too few DoFs.
     Eigenpairs
@@ -301,33 +273,24 @@ namespace lamella
 
 
   NaturalModes
-  natural_modes(LinearSystem             &system,
-                const State              &state,
-                const GeometricStiffness *prestress,
+  natural_modes(const VibrationEquations &equations,
+                const Point<3>           &center,
                 const ModeRequest        &request)
   {
-    const Structure &structure = system.tangent().of();
-    NaturalModes     found;
-    const MassMatrix mass(structure, state.u);
-    const Operator   times_mass = [&](const BlockVector &v) { return mass(v); };
-    const SmallMotions motions(
-      system,
-      state,
-      times_mass,
-      prestress == nullptr ? Operator() : [&](const BlockVector &v) {
-        return (*prestress)(v);
-      });
-    found.n_rigid           = motions.rigid_motions().size();
-    Eigenproblem problem    = eigenproblem(times_mass, motions);
+    const Structure    &structure = equations.system.tangent().of();
+    const MassMatrix   &mass      = equations.mass;
+    const SmallMotions &motions   = equations.motions;
+    NaturalModes        found;
+    found.n_rigid = motions.rigid_motions().size();
+    Eigenproblem problem =
+      eigenproblem([&](const BlockVector &v) { return mass(v); }, motions);
     problem.in_product_of_A = true;
     unsigned int n_below    = 0;
     Eigenpairs   pairs      = requested_pairs(
       problem, structure.zero(), request, motions.n_free_dofs(), n_below);
-    check_rigid_motions(motions, prestress, pairs);
-    const auto whole =
-      rigid_motions_about(structure,
-                          state.u,
-                          inertia_of(structure.bodies()).center());
+    check_rigid_motions(motions, equations.prestress, pairs);
+    const BlockVector &u     = equations.state.u;
+    const auto         whole = rigid_motions_about(structure, u, center);
     for (unsigned int k = 0; k < pairs.values.size(); ++k)
       {
         Mode mode   = natural_mode(pairs.values[k],
@@ -338,7 +301,7 @@ namespace lamella
         mode.body   = index_of_largest(mass.energies(mode.shape));
         found.modes.push_back(std::move(mode));
       }
-    describe(structure, state.u, false, found.modes);
+    describe(structure, u, false, found.modes);
     return found;
   }
 

@@ -371,4 +371,48 @@ namespace lamella
       energies.push_back(0.5 * (momentum.block(b) * v.block(b)));
     return energies;
   }
+
+
+
+  VibrationEquations::VibrationEquations(LinearSystem             &system,
+                                         const State              &state,
+                                         const GeometricStiffness *prestress)
+    : system(system)
+    , state(state)
+    , prestress(prestress)
+    , mass(system.tangent().of(), state.u)
+    , motions(
+        system,
+        state,
+        [this](const BlockVector &v) { return mass(v); },
+        prestress == nullptr ?
+          Operator() :
+          [prestress](const BlockVector &v) { return (*prestress)(v); })
+  {}
+
+
+
+  std::vector<BlockVector>
+  rigid_motions_about(const Structure   &structure,
+                      const BlockVector &u,
+                      const Point<3>    &center)
+  {
+    std::vector<BlockVector> motions(6, structure.zero());
+    for (unsigned int b = 0; b < structure.bodies().size(); ++b)
+      {
+        const Body               &body = *structure.bodies()[b];
+        const std::vector<Vector> own  = body.rigid_motions(u.block(b));
+        const Tensor<1, 3>        arm  = body.center() - center;
+        for (unsigned int m = 0; m < 3; ++m)
+          {
+            motions[m].block(b)     = own[m];
+            motions[3 + m].block(b) = own[3 + m];
+            // e_m x arm.
+            const unsigned int i = (m + 1) % 3, j = (m + 2) % 3;
+            motions[3 + m].block(b).add(-arm[j], own[i]);
+            motions[3 + m].block(b).add(arm[i], own[j]);
+          }
+      }
+    return motions;
+  }
 } // namespace lamella

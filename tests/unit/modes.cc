@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(harmonic_response_at_rest_is_static)
 {
   const SolvedScene statics("/prm/harmonic_response.prm",
                             {"Load force/Factors=", "Find="});
-  const double u = statics.run.results().probe("probe").sample.displacement[2];
+  const double  u = statics.run.results().probe("probe").sample.displacement[2];
   const Complex still = response({"Harmonic response/Frequencies=0, 1"})[0.];
   BOOST_TEST(std::abs(still - u) < 1e-6 * std::abs(u));
 }

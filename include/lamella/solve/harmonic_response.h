@@ -5,6 +5,7 @@
 
 #include <lamella/solve/modes.h>
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -42,16 +43,14 @@ namespace lamella
   class HarmonicResponse
   {
   public:
-    /// Computes the static responses about @p state, which @p system has solved
-    /// at the load factors @p factor; amplitudes are those of
-    /// LoadFactor::with_oscillation(). @p prestress is that of @p modes or
-    /// null. Keeps a reference to @p request. Throws InputError if prescribed
-    /// motions move a closed contact, for frequency 0 if the loads move free
-    /// bodies, and where the response is unbounded without damping. Collective.
-    HarmonicResponse(LinearSystem             &system,
-                     const State              &state,
+    /// Computes the static responses by @p equations about the state at the
+    /// load factors @p factor; amplitudes are those of
+    /// LoadFactor::with_oscillation(). @p modes are those of the equations.
+    /// Keeps a reference to @p request. Throws InputError if prescribed motions
+    /// move a closed contact, for frequency 0 if the loads move free bodies,
+    /// and where the response is unbounded without damping. Collective.
+    HarmonicResponse(const VibrationEquations &equations,
                      const LoadFactor         &factor,
-                     const GeometricStiffness *prestress,
                      const NaturalModes       &modes,
                      const HarmonicRequest    &request);
 
@@ -77,6 +76,10 @@ namespace lamella
     /// modes.
     void
     add_work(const BlockVector &f, const BlockVector &Mu);
+    /// Returns true if @p frequency is the natural frequency of an undamped
+    /// mode, to the relative @p tolerance.
+    bool
+    is_undamped(const double frequency, const double tolerance) const;
     /// Throws InputError if the response at a requested frequency is unbounded.
     void
     check_frequencies() const;

@@ -15,6 +15,7 @@
 namespace lamella
 {
   class GeometricStiffness;
+  struct VibrationEquations;
 
   /// A mode of vibration or buckling.
   struct Mode
@@ -63,16 +64,16 @@ namespace lamella
     bool is_limit = false;
   };
 
-  /// Returns the modes v with (K + K_G) v = (2 pi f)^2 M v about @p state,
-  /// which @p system has solved, with closed contacts as equations
-  /// (SmallMotions). @p prestress is K_G of linear kinematics, or null:
-  /// tangents of finite rotations contain it. Throws InputError, which names
-  /// the entry Modes, if the model has too few DoFs or no mode is in the range,
-  /// and NumericsError if the state is not stable. Collective.
+  /// Returns the modes v with (K + K_G) v = (2 pi f)^2 M v of @p equations,
+  /// with closed contacts as equations (SmallMotions). Participation factors
+  /// refer to rotations about @p center, the center of mass. K_G is that of
+  /// linear kinematics; tangents of finite rotations contain it. Throws
+  /// InputError, which names the entry Modes, if the model has too few DoFs or
+  /// no mode is in the range, and NumericsError if the state is not stable.
+  /// Collective.
   NaturalModes
-  natural_modes(LinearSystem             &system,
-                const State              &state,
-                const GeometricStiffness *prestress,
+  natural_modes(const VibrationEquations &equations,
+                const dealii::Point<3>   &center,
                 const ModeRequest        &request);
 
   /// Returns at most @p number buckling modes (K + lambda K_G) v = 0 with the

@@ -154,6 +154,32 @@ namespace lamella
     std::vector<dealii::SparsityPattern> patterns;
     std::vector<Matrix>                  matrices;
   };
+
+  /// The equations of small vibrations of a structure about a state.
+  struct VibrationEquations
+  {
+    /// Prepares the equations about @p state, which @p system has solved, with
+    /// the geometric stiffness @p prestress or null. Keeps references. Throws
+    /// as MassMatrix and SmallMotions do. Collective.
+    VibrationEquations(LinearSystem             &system,
+                       const State              &state,
+                       const GeometricStiffness *prestress);
+
+    VibrationEquations(const VibrationEquations &) = delete;
+
+    LinearSystem             &system;    ///< Stiffness and closed contacts.
+    const State              &state;     ///< Equilibrium state.
+    const GeometricStiffness *prestress; ///< K_G or null.
+    const MassMatrix          mass;      ///< Mass matrix M.
+    const SmallMotions        motions;   ///< Stiffness K + K_G.
+  };
+
+  /// Returns the rigid motions of all bodies together at the displacements @p
+  /// u: translations along the scene axes, and rotations about @p center.
+  std::vector<BlockVector>
+  rigid_motions_about(const Structure        &structure,
+                      const BlockVector      &u,
+                      const dealii::Point<3> &center);
 } // namespace lamella
 
 #endif
