@@ -45,7 +45,7 @@ namespace lamella
                            const std::function<void(const Simulation &)> &look)
   {
     const auto numbered = [this](Model model) {
-      model.numbers.number_modes_as(ResultNumbers(run.results()));
+      model.numbers.number_modes_as(run.results());
       return model;
     };
     if (const Model *known = cache.find(scene); known != nullptr && !look)

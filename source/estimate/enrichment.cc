@@ -363,11 +363,11 @@ namespace lamella
     FindRequest
     modes_of_goals(const Simulation &run)
     {
-      const GoalParameters      &goals = run.model().scene().goals;
-      std::vector<NamedQuantity> all = ResultNumbers(run.results()).of_modes();
-      if (!goals.modes_as_goals)
-        all = goals.quantities;
-      unsigned int n_natural = 0, n_buckling = 0;
+      const GoalParameters &goals     = run.model().scene().goals;
+      const auto            all       = goals.modes_as_goals ?
+                                          ResultNumbers(run.results()).of_modes() :
+                                          goals.quantities;
+      unsigned int          n_natural = 0, n_buckling = 0;
       for (const NamedQuantity &goal : all)
         {
           unsigned int &n = goal.column == "factor" ? n_buckling : n_natural;

@@ -263,9 +263,10 @@ namespace lamella
 
 
   void
-  ResultNumbers::number_modes_as(const ResultNumbers &run)
+  ResultNumbers::number_modes_as(const Results &run)
   {
-    natural_modes  = numbered_as(run.natural_modes, natural_modes);
+    if (run.natural_modes)
+      natural_modes = numbered_as(run.natural_modes->modes, natural_modes);
     buckling_modes = numbered_as(run.buckling_modes, buckling_modes);
   }
 

@@ -377,6 +377,8 @@ namespace lamella
               const Results                &results,
               const std::vector<Reference> &references)
     {
+      if (references.empty())
+        return;
       const ResultNumbers numbers(results);
       for (const NamedQuantity &mode : numbers.of_modes())
         for (const Reference &reference : references)

@@ -241,11 +241,12 @@ namespace lamella
   std::string
   response_csv(const Results &results)
   {
-    CsvLine header;
+    const std::vector<unsigned int> columns = columns_of_response();
+    CsvLine                         header;
     header << "frequency"
            << "probe"
            << "ply";
-    for (const unsigned int c : columns_of_response())
+    for (const unsigned int c : columns)
       header << field_names()[c] << field_names()[c] + " phase";
     std::string text = header.text();
     for (const HarmonicRow &row : results.response)
@@ -253,7 +254,7 @@ namespace lamella
         CsvLine line;
         line << row.frequency << results.probes[row.probe]
              << (row.ply == several_plies ? 0 : row.ply + 1);
-        for (const unsigned int c : columns_of_response())
+        for (const unsigned int c : columns)
           line << std::abs(row.values[c]) << degrees(row.values[c]);
         text += line.text();
       }

@@ -201,7 +201,7 @@ namespace lamella
     /// Numbers the modes as similar modes of @p run (Mode::similarity()), and
     /// drops others.
     void
-    number_modes_as(const ResultNumbers &run);
+    number_modes_as(const Results &run);
 
     /// Returns the values of all modes.
     std::vector<NamedQuantity>
