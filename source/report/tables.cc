@@ -70,7 +70,7 @@ namespace lamella
 
 
 
-    /// What bodies that turn by any angle have beside.
+    /// Adds the columns of steps with finite rotations to @p line.
     void
     add_rotations(const StepResults &step, CsvLine &line)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/exceptions.h>
+#include <lamella/base/entry.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/find_modes.h>
@@ -14,24 +14,6 @@ namespace lamella
   namespace
   {
     using Columns = std::vector<double>;
-
-
-
-    /// Computes the natural modes by @p equations.
-    void
-    find_natural_modes(const ModeRequest        &request,
-                       const VibrationEquations &equations,
-                       Results                  &results)
-    {
-      results.natural_modes =
-        natural_modes(equations, results.inertia->center(), request);
-      if (!request.range &&
-          results.natural_modes->modes.size() < request.number)
-        results.endnotes.push_back(
-          "run.few-modes: only " +
-          std::to_string(results.natural_modes->modes.size()) +
-          " natural modes were found");
-    }
 
 
 
@@ -146,7 +128,12 @@ namespace lamella
       const VibrationEquations equations(system,
                                          state,
                                          is_in_range ? stresses : nullptr);
-      find_natural_modes(*request.modes, equations, results);
+      results.natural_modes =
+        natural_modes(equations, results.inertia->center(), *request.modes);
+      const std::size_t n = results.natural_modes->modes.size();
+      if (!request.modes->range && n < request.modes->number)
+        results.endnotes.push_back("run.few-modes: only " + std::to_string(n) +
+                                   " natural modes were found");
       if (!is_in_range)
         results.endnotes.push_back(
           "run.modes-without-prestress: The last load step is beyond the range "
@@ -167,19 +154,17 @@ namespace lamella
                         Results                  &results)
     {
       if (system.tangent().of().has_finite_rotations())
-        throw InputError(
-          "Find",
-          "buckling",
-          "run.buckling-with-large-rotations: linear buckling multiplies the "
-          "stresses of linear kinematics",
-          "Write Rotations = linear, or increase the loads until the run "
-          "reports an unstable state.");
+        Entry("Find", "buckling")
+          .refuse(
+            "run.buckling-with-large-rotations: linear buckling multiplies the "
+            "stresses of linear kinematics",
+            "Write Rotations = linear, or increase the loads until the run "
+            "reports an unstable state.");
       if (stresses == nullptr)
-        throw InputError("Find",
-                         "buckling",
-                         "run.buckling-without-load: the last load step has no "
-                         "displacements, and therefore no stresses",
-                         "Add a load.");
+        Entry("Find", "buckling")
+          .refuse("run.buckling-without-load: the last load step has no "
+                  "displacements, and therefore no stresses",
+                  "Add a load.");
       results.buckling_modes = buckling_modes(system, state, *stresses, n);
       if (results.buckling_modes.size() < n)
         results.endnotes.push_back(
@@ -247,12 +232,11 @@ namespace lamella
     else if (state.u.linfty_norm() > 0.)
       stresses = std::make_unique<GeometricStiffness>(*system, state);
     if (built.structure().has_unsymmetric_loads())
-      throw InputError(
-        "Find",
-        "modes",
-        "run.modes-with-follower-loads: the follower loads of the scene have "
-        "an unsymmetric stiffness, and modes need a symmetric one",
-        "Replace moments and pressures on edges by forces.");
+      Entry("Find", "modes")
+        .refuse(
+          "run.modes-with-follower-loads: the follower loads of the scene have "
+          "an unsymmetric stiffness, and modes need a symmetric one",
+          "Replace moments and pressures on edges by forces.");
     if (request.modes)
       find_vibrations(built, *system, state, stresses.get(), results);
     if (request.n_buckling_modes > 0)

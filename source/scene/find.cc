@@ -17,33 +17,38 @@ namespace lamella
 
 
 
+    /// Returns the limits in @p text, FROM to TO, of @p entry; empty for other
+    /// texts.
+    std::optional<std::pair<double, double>>
+    parse_limits(const Entry &entry, const std::string &text)
+    {
+      const std::size_t to = text.find(" to ");
+      if (to == std::string::npos)
+        return {};
+      return std::make_pair(entry.number(trimmed(text.substr(0, to))),
+                            entry.number(trimmed(text.substr(to + 4))));
+    }
+
+
+
     /// Returns the modes that @p entry, a number or FROM to TO, requests.
     ModeRequest
     parse_modes(const Entry &entry)
     {
-      ModeRequest        request;
-      const std::string &text = entry.text();
-      const std::size_t  to   = text.find(" to ");
-      if (to == std::string::npos)
-        {
-          request.number = entry.whole(1, most);
-          return request;
-        }
-      const double lower = entry.number(trimmed(text.substr(0, to))),
-                   upper = entry.number(trimmed(text.substr(to + 4)));
-      if (!(lower >= 0. && lower < upper))
+      ModeRequest request;
+      request.range = parse_limits(entry, entry.text());
+      if (!request.range)
+        request.number = entry.whole(1, most);
+      else if (!(request.range->first >= 0. &&
+                 request.range->first < request.range->second))
         entry.refuse("scene.range-of-modes: a range of frequencies [Hz] must "
                      "ascend from at least 0",
                      "Write, for example, 100 to 500.");
-      request.range = {lower, upper};
       return request;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     void
     declare_response(ParameterHandler &prm)
     {
@@ -70,37 +75,29 @@ namespace lamella
 
 
 
-    std::vector<double>
-    equidistant(const double from, const double to, const unsigned int n)
-    {
-      std::vector<double> all;
-      for (unsigned int k = 0; k <= n; ++k)
-        all.push_back(from + (to - from) * k / n);
-      return all;
-    }
-
-
-
     /// Returns the frequencies of @p entry, a list or FROM to TO in N.
     std::vector<double>
     parse_frequencies(const Entry &entry)
     {
       if (entry.is_empty())
         entry.refuse_missing("Write frequencies, as in 0 to 500 in 100.");
-      const std::string  &text = entry.text();
-      const std::size_t   to = text.find(" to "), in = text.find(" in ");
+      const std::size_t in = entry.text().find(" in ");
+      const auto limits    = parse_limits(entry, entry.text().substr(0, in));
       std::vector<double> all;
-      if (to == std::string::npos)
+      if (!limits)
         all = entry.numbers();
-      else if (in == std::string::npos || in < to)
+      else if (in == std::string::npos)
         entry.refuse("scene.range-of-frequencies: a range of frequencies needs "
                      "a number of intervals",
                      "Write, for example, 0 to 500 in 100.");
       else
-        all = equidistant(
-          entry.number(trimmed(text.substr(0, to))),
-          entry.number(trimmed(text.substr(to + 4, in - to - 4))),
-          Entry(entry.path(), trimmed(text.substr(in + 4))).whole(1, 100000));
+        {
+          const auto [from, to] = *limits;
+          const unsigned int n =
+            Entry(entry.path(), entry.text().substr(in + 4)).whole(1, 100000);
+          for (unsigned int k = 0; k <= n; ++k)
+            all.push_back(from + (to - from) * k / n);
+        }
       for (unsigned int k = 0; k < all.size(); ++k)
         if (!(all[k] >= 0. && (k == 0 || all[k] > all[k - 1])))
           entry.refuse("scene.order-of-frequencies: frequencies [Hz] must "
@@ -138,12 +135,9 @@ namespace lamella
       prm.leave_subsection();
       return request;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     std::vector<Reference>
     parse_mode_references(const Entry &entry, const FindRequest &find)
     {
@@ -157,7 +151,7 @@ namespace lamella
 
 
   void
-  FindRequest::declare(dealii::ParameterHandler &prm)
+  FindRequest::declare(ParameterHandler &prm)
   {
     prm.declare_entry(
       "Find",

@@ -355,11 +355,10 @@ namespace lamella
       };
       for (const auto &obstacle : scene.obstacles)
         if (moves(obstacle->history))
-          throw InputError("Obstacle " + obstacle->name + "/Factors",
-                           "harmonic",
-                           "scene.oscillating-obstacle: obstacles cannot "
-                           "oscillate",
-                           "Let a support or a load oscillate.");
+          Entry("Obstacle " + obstacle->name + "/Factors", "harmonic")
+            .refuse("scene.oscillating-obstacle: obstacles cannot "
+                    "oscillate",
+                    "Let a support or a load oscillate.");
       for (const Load &load : scene.loads)
         if (moves(load.history))
           return "Load " + load.name;
@@ -377,11 +376,10 @@ namespace lamella
   {
     const std::string path = first_oscillating(scene);
     if (!scene.find.response && !path.empty())
-      throw InputError(path + "/Factors",
-                       "harmonic",
-                       "scene.harmonic-without-response: only Find = response "
-                       "has oscillating loads and supports",
-                       "Write Find = response, or other Factors.");
+      Entry(path + "/Factors", "harmonic")
+        .refuse("scene.harmonic-without-response: only Find = response "
+                "has oscillating loads and supports",
+                "Write Find = response, or other Factors.");
     if (!scene.find.response)
       return;
     const Entry find("Find", "response");
@@ -395,10 +393,9 @@ namespace lamella
                   "Add a probe to Probes.");
     for (const Probe &probe : scene.probes)
       if (probe.stress == StressValues::equilibrium)
-        throw InputError("Probe " + probe.name + "/Stress",
-                         "equilibrium",
-                         "scene.response-by-equilibrium: stresses by "
-                         "equilibrium do not include inertial forces",
-                         "Write Stress = recovered.");
+        Entry("Probe " + probe.name + "/Stress", "equilibrium")
+          .refuse("scene.response-by-equilibrium: stresses by "
+                  "equilibrium do not include inertial forces",
+                  "Write Stress = recovered.");
   }
 } // namespace lamella

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/exceptions.h>
+#include <lamella/base/entry.h>
 #include <lamella/base/text.h>
 #include <lamella/solve/harmonic_response.h>
 #include <lamella/solve/small_motions.h>
@@ -39,11 +39,10 @@ namespace lamella
     {
       if (motions.largest_jump(u_p) >
           arithmetic::rounding_of_results * u_p.linfty_norm())
-        throw InputError("Find",
-                         "response",
-                         "solve.support-moves-contact: a prescribed motion of "
-                         "a support moves a closed contact directly",
-                         "Move the support away from the contact.");
+        Entry("Find", "response")
+          .refuse("solve.support-moves-contact: a prescribed motion of a "
+                  "support moves a closed contact directly",
+                  "Move the support away from the contact.");
       BlockVector f = motions.times_stiffness(u_p);
       f *= -1.;
       u_p += motions.solve(f);
@@ -118,27 +117,19 @@ namespace lamella
   void
   HarmonicResponse::check_frequencies() const
   {
-    const auto refuse = [](const double       frequency,
-                           const std::string &rule,
-                           const std::string &remedy) {
-      throw InputError("Harmonic response/Frequencies",
-                       to_text(frequency, 9),
-                       rule,
-                       remedy);
-    };
     for (const double f : request.frequencies)
       {
+        const Entry entry("Harmonic response/Frequencies", to_text(f, 9));
         if (f == 0. && moves_rigidly)
-          refuse(
-            f,
-            "solve.static-response-of-free-bodies: the response at 0 Hz is "
-            "unbounded, since the loads move free bodies",
+          entry.refuse(
+            "solve.static-response-of-free-bodies: the response at 0 "
+            "Hz is unbounded, since the loads move free bodies",
             "Begin at a higher frequency, or hold the bodies.");
         if (is_undamped(f, arithmetic::rounding_of_results))
-          refuse(f,
-                 "solve.undamped-resonance: the response is unbounded, since "
-                 "this is the natural frequency of an undamped mode",
-                 "Write another frequency, or Damping.");
+          entry.refuse(
+            "solve.undamped-resonance: the response is unbounded, "
+            "since this is the natural frequency of an undamped mode",
+            "Write another frequency, or Damping.");
       }
   }
 

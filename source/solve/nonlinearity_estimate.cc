@@ -94,9 +94,9 @@ namespace lamella
       LinearSystem             &solver;
       const ActiveConstraints   closed;
       const GeometricStiffness &geometric;
-      /// Of unit energy q . K q and orthogonal, and K times them.
+      /// Lanczos vectors q with q . K q = 1, and their products K q.
       std::vector<BlockVector> q, Kq;
-      /// The length of what the last step found beyond q.
+      /// Norm of the remainder of the last step, orthogonal to q.
       double beta = 0.;
     };
 

@@ -5,10 +5,10 @@
 
 #include <lamella/recover/results.h>
 
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 namespace lamella
 {
