@@ -385,7 +385,7 @@ namespace lamella
     if (!given.strength.criteria.empty())
       sweep = std::make_unique<StrengthSweep>(whole->bodies(), given.strength);
     if (given.find.first_failure)
-      check_load_growth(*whole, contacts);
+      check_load_growth(*whole, contacts, given.solve.load_factors.front());
   }
 
 

@@ -24,17 +24,18 @@ namespace lamella
 
   void
   check_load_growth(const Structure                     &structure,
-                    const std::vector<ContactInterface> &contacts)
+                    const std::vector<ContactInterface> &contacts,
+                    const LoadFactor                    &factor)
   {
     const auto is_moved = [](const ContactInterface &contact) {
       return contact.obstacle != nullptr &&
              contact.obstacle->displacement.norm() > 0.;
     };
     const auto is_driven = [](const PrescribedFunctional &row) {
-      return row.value != 0.;
+      return row.value != 0. && row.history == 0;
     };
-    BlockVector growing = structure.load(1.);
-    growing -= structure.load(0.);
+    BlockVector growing = structure.load(factor.of_scene_alone());
+    growing -= structure.load(factor.without_loads());
     if (growing.linfty_norm() == 0. &&
         std::none_of(contacts.begin(), contacts.end(), is_moved) &&
         std::none_of(structure.prescribed().begin(),

@@ -444,14 +444,18 @@ namespace lamella
   std::string
   first_with_factors(const Scene &scene)
   {
+    const auto has_factors = [&](const unsigned int history) {
+      return history > 0 &&
+             !scene.solve.load_factors.front().oscillates(history);
+    };
     for (const Support &support : scene.supports)
-      if (support.history > 0)
+      if (has_factors(support.history))
         return "Support " + support.name;
     for (const Load &load : scene.loads)
-      if (load.history > 0)
+      if (has_factors(load.history))
         return "Load " + load.name;
     for (const auto &obstacle : scene.obstacles)
-      if (obstacle->history > 0)
+      if (has_factors(obstacle->history))
         return "Obstacle " + obstacle->name;
     return "";
   }

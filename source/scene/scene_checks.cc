@@ -349,21 +349,17 @@ namespace lamella
     first_oscillating(const Scene &scene)
     {
       const LoadFactor &factors = scene.solve.load_factors.back();
-      const LoadFactor  raised  = factors.with_oscillation();
-      const auto        moves   = [&](const unsigned int history) {
-        return history > 0 && raised.of(history) > factors.of(history);
-      };
       for (const auto &obstacle : scene.obstacles)
-        if (moves(obstacle->history))
+        if (factors.oscillates(obstacle->history))
           Entry("Obstacle " + obstacle->name + "/Factors", "harmonic")
             .refuse("scene.oscillating-obstacle: obstacles cannot "
                     "oscillate",
                     "Let a support or a load oscillate.");
       for (const Load &load : scene.loads)
-        if (moves(load.history))
+        if (factors.oscillates(load.history))
           return "Load " + load.name;
       for (const Support &support : scene.supports)
-        if (moves(support.history))
+        if (factors.oscillates(support.history))
           return "Support " + support.name;
       return "";
     }

@@ -388,7 +388,9 @@ namespace lamella
                                nearest(factor) :
                                nearest_passed(factor, load_step);
     SolvedStep        solved =
-      solve_requested_substeps(from.state, from.factor, factor);
+      solve_requested_substeps(from.state,
+                               factors[0].of_scene_alone(from.factor),
+                               factors[0].of_scene_alone(factor));
     store(factor, load_step, solved.state);
     return solved;
   }

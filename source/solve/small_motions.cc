@@ -19,6 +19,15 @@ namespace lamella
 {
   using namespace dealii;
 
+  namespace
+  {
+    // Relative error of solutions from which eigenvectors are computed: errors
+    // of eigenvalues are its square.
+    const double accurate = std::sqrt(arithmetic::rounding);
+  } // namespace
+
+
+
   GeometricStiffness::GeometricStiffness(LinearSystem &solver,
                                          const State  &state)
   {
@@ -72,34 +81,44 @@ namespace lamella
     , weight(weight)
     , prestress(prestress)
   {
-    choose_refinements();
+    const double error = error_without_refinement();
+    choose_refinements(error, arithmetic::rounding_of_solutions);
     remove_springs();
+    choose_refinements(error, accurate);
   }
 
 
 
-  // The relative correction of the first solution is the error of each, and
-  // every refinement multiplies the error by it.
-  void
-  SmallMotions::choose_refinements()
+  // The relative correction of the first solution is the error of each.
+  double
+  SmallMotions::error_without_refinement()
   {
-    constexpr double       accurate = arithmetic::rounding_of_solutions;
-    constexpr unsigned int most     = 5;
-    const BlockVector      load     = random_vector(structure.zero());
-    const BlockVector      first    = solve_with_springs(load);
-    refinements                     = 1;
-    BlockVector change              = solve_with_springs(load);
+    const BlockVector load  = random_vector(structure.zero());
+    refinements             = 0;
+    const BlockVector first = solve_with_springs(load);
+    refinements             = 1;
+    BlockVector change      = solve_with_springs(load);
     change -= first;
     const double error = change.l2_norm() / first.l2_norm();
     if (!std::isfinite(error))
       throw NumericsError(
         "solve.not-finite: The solution is not finite. Check the loads.");
-    refinements = error <= accurate ?
-                    0 :
-                    std::min<double>(most,
-                                     std::ceil(std::log(accurate) /
-                                               std::log(std::min(0.5, error))) -
-                                       1.);
+    return error;
+  }
+
+
+
+  // Every refinement multiplies the error by that of the first solution.
+  void
+  SmallMotions::choose_refinements(const double error, const double wanted)
+  {
+    constexpr double most = 5.;
+    refinements =
+      error <= wanted ?
+        0 :
+        std::min(most,
+                 std::ceil(std::log(wanted) / std::log(std::min(0.5, error))) -
+                   1.);
   }
 
 
@@ -248,10 +267,7 @@ namespace lamella
     } whole{*this};
     constexpr unsigned int most  = 100;
     const BlockVector      right = u;
-    SolverControl          control(most,
-                          arithmetic::rounding_of_solutions * right.l2_norm(),
-                          false,
-                          false);
+    SolverControl control(most, accurate * right.l2_norm(), false, false);
     try
       {
         SolverGMRES<BlockVector>(control,

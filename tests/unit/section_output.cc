@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 BOOST_AUTO_TEST_SUITE(section_output)
@@ -64,6 +65,59 @@ namespace
     material.density  = density;
     return material;
   }
+
+
+
+  /// A Gmsh file of two plies of the width @p b and the height @p h in all,
+  /// whose lower side is at z = @p bottom.
+  std::string
+  gmsh_of_two_plies(const double b, const double h, const double bottom)
+  {
+    std::ostringstream file;
+    file << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n"
+            "2 1 \"light\"\n2 2 \"heavy\"\n$EndPhysicalNames\n"
+            "$Entities\n0 0 2 0\n1 0 0 0 1 1 0 1 1 0\n2 0 0 0 1 1 0 1 2 0\n"
+            "$EndEntities\n$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n";
+    for (const double z : {0., 0.5, 1.})
+      for (const double x : {0., 1.})
+        file << x * b << " " << bottom + z * h << " 0\n";
+    file << "$EndNodes\n$Elements\n2 2 1 2\n2 1 3 1\n1 1 2 4 3\n"
+            "2 2 3 1\n2 3 4 6 5\n$EndElements\n";
+    return file.str();
+  }
+
+
+
+  /// Checks the mass matrix of two plies of the densities 2 and 6 on each
+  /// other, of the width @p b and the height @p h in all.
+  // About the middle of the area: int rho = 4 b h, int rho z = (6 - 2) b h^2 /
+  // 8, int rho z^2 = 4 b h^3 / 12, int rho x^2 = 4 b^3 h / 12. The center of
+  // mass is above the reference, so a turn about y takes it to +x, one about x
+  // to -y.
+  void
+  check_mass_of_two_plies(const SectionStiffness &section,
+                          const double            b,
+                          const double            h)
+  {
+    BOOST_TEST_REQUIRE(section.mass.has_value());
+    SectionTensor wanted;
+    for (const unsigned int i : {Force::F_x, Force::F_y, Force::F_z})
+      wanted[i][i] = 4. * b * h;
+    wanted[Force::M_x][Force::M_x] = 4. * b * h * h * h / 12.;
+    wanted[Force::M_z][Force::M_z] = 4. * b * b * b * h / 12.;
+    wanted[Force::M_y][Force::M_y] =
+      wanted[Force::M_x][Force::M_x] + wanted[Force::M_z][Force::M_z];
+    const double moment            = 4. * b * h * h / 8.;
+    wanted[Force::F_x][Force::M_y] = wanted[Force::M_y][Force::F_x] = moment;
+    wanted[Force::F_y][Force::M_x] = wanted[Force::M_x][Force::F_y] = -moment;
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        BOOST_TEST(std::abs((*section.mass)[i][j] - wanted[i][j]) <
+                     1e-12 * std::sqrt(wanted[i][i] * wanted[j][j]),
+                   i << ", " << j);
+    BOOST_TEST(
+      Json::parse(section_json("two", section, Units())).count("mass") == 1u);
+  }
 } // namespace
 
 BOOST_AUTO_TEST_CASE(degree)
@@ -81,38 +135,29 @@ BOOST_AUTO_TEST_CASE(degree)
 
 BOOST_AUTO_TEST_CASE(mass)
 {
-  // Two plies of the densities 2 and 6 on each other. About the middle of the
-  // area: int rho = 4 b h, int rho z = (6 - 2) b h^2 / 8, int rho z^2 = 4 b h^3
-  // / 12, int rho x^2 = 4 b^3 h / 12. The center of mass is above the
-  // reference, so a turn about y takes it to +x, one about x to -y.
-  const double   b = 0.6, h = 0.2;
-  const Laminate two{
+  const double    b = 0.6, h = 0.2;
+  const Materials two{{"light", material_with_density(2.)},
+                      {"heavy", material_with_density(6.)}};
+  const Laminate  laminate{
     b, {0., 0.}, {0.5 * h, 0.5 * h}, {"light", "heavy"}, {1}, {2}};
-  const auto section = section_stiffness(
-    make_section_mesh(two,
-                      {{"light", material_with_density(2.)},
-                       {"heavy", material_with_density(6.)}}));
-  BOOST_TEST_REQUIRE(section.mass.has_value());
-  SectionTensor wanted;
-  for (const unsigned int i : {Force::F_x, Force::F_y, Force::F_z})
-    wanted[i][i] = 4. * b * h;
-  wanted[Force::M_x][Force::M_x] = 4. * b * h * h * h / 12.;
-  wanted[Force::M_z][Force::M_z] = 4. * b * b * b * h / 12.;
-  wanted[Force::M_y][Force::M_y] =
-    wanted[Force::M_x][Force::M_x] + wanted[Force::M_z][Force::M_z];
-  const double moment            = 4. * b * h * h / 8.;
-  wanted[Force::F_x][Force::M_y] = wanted[Force::M_y][Force::F_x] = moment;
-  wanted[Force::F_y][Force::M_x] = wanted[Force::M_x][Force::F_y] = -moment;
-  for (unsigned int i = 0; i < 6; ++i)
-    for (unsigned int j = 0; j < 6; ++j)
-      BOOST_TEST(std::abs((*section.mass)[i][j] - wanted[i][j]) <
-                   1e-12 * std::sqrt(wanted[i][i] * wanted[j][j]),
-                 i << ", " << j);
-  BOOST_TEST(Json::parse(section_json("two", section, Units())).count("mass") ==
-             1u);
+  check_mass_of_two_plies(section_stiffness(make_section_mesh(laminate, two)),
+                          b,
+                          h);
+  // The reference point is the centroid, wherever the origin is: at the
+  // bottom, in the middle, and at the top.
+  const char *const path = "section_output.msh";
+  for (const double bottom : {0., -0.5 * h, -h})
+    {
+      std::ofstream(path) << gmsh_of_two_plies(b, h, bottom);
+      const auto section = section_stiffness(
+        make_section_mesh(SectionFile{path, 1., {}, "Section s"}, two));
+      BOOST_TEST(std::abs(section.reference_point[1] - bottom - 0.5 * h) <
+                 1e-12 * h);
+      check_mass_of_two_plies(section, b, h);
+    }
 
   const auto one_is_unknown = section_stiffness(
-    make_section_mesh(two,
+    make_section_mesh(laminate,
                       {{"light", material_with_density(2.)},
                        {"heavy", EngineeringConstants::isotropic(1., 0.)}}));
   BOOST_TEST(!one_is_unknown.mass.has_value());

@@ -79,11 +79,12 @@ namespace lamella
       return {0., std::vector<double>(own.size(), 0.)};
     }
 
-    /// Returns factor 1 for the scene, zero for loads with entry `Factors`.
+    /// Returns the factor @p scene for the scene, zero for loads with entry
+    /// `Factors`.
     LoadFactor
-    of_scene_alone() const
+    of_scene_alone(const double scene = 1.) const
     {
-      return {1., std::vector<double>(own.size(), 0.)};
+      return {scene, std::vector<double>(own.size(), 0.)};
     }
 
     /// Returns zero factors for everything, including temperatures.
@@ -93,6 +94,13 @@ namespace lamella
       LoadFactor result     = without_loads();
       result.thermal_factor = 0.;
       return result;
+    }
+
+    /// Returns true if the load with the factor of index @p history oscillates.
+    bool
+    oscillates(const unsigned int history) const
+    {
+      return history > 0 && amplitudes[history - 1] > 0.;
     }
 
     /// Returns these factors plus the amplitudes of oscillating loads.

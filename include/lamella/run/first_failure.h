@@ -18,9 +18,11 @@ namespace lamella
 {
   /// Throws InputError for the entry `Find` if nothing grows with the load
   /// factor: no load except temperatures, no weight, no prescribed motion.
+  /// Loads with factors of their own do not count; @p factor has these.
   void
   check_load_growth(const Structure                     &structure,
-                    const std::vector<ContactInterface> &contacts);
+                    const std::vector<ContactInterface> &contacts,
+                    const LoadFactor                    &factor);
 
   /// Searches the load factor at which the smallest reserve factor of all plies
   /// is 1. The lower end of the search interval is a load factor without

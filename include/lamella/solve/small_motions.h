@@ -104,9 +104,13 @@ namespace lamella
     /// Returns the solution without geometric stiffness.
     BlockVector
     solve_without_prestress(BlockVector f) const;
-    /// Sets `refinements` from the error of a solution without refinement.
+    /// Returns the relative error of a solution without refinement.
+    double
+    error_without_refinement();
+    /// Sets `refinements` such that a solution whose error would be @p error
+    /// without refinement has the relative error @p wanted.
     void
-    choose_refinements();
+    choose_refinements(const double error, const double wanted);
     /// Sets `correction` and the rigid motions.
     void
     remove_springs();
