@@ -62,7 +62,7 @@ namespace lamella
                                   interface.points_on_second ?
                                     SlaveSide::second :
                                     SlaveSide::first);
-    if (contact.friction > 0. || contact.overclosure == Overclosure::adjust)
+    if (contact.has_slips() || contact.overclosure == Overclosure::adjust)
       {
         std::vector<GapPoint> points    = points_of(interface);
         const MasterPoints    opposites = undeformed.is_edge_contact() ?
@@ -70,7 +70,7 @@ namespace lamella
                                             MasterPoints::paired;
         const auto            at_rest =
           integrate(interface, undeformed, opposites, points);
-        if (contact.friction > 0.)
+        if (contact.has_slips())
           set_slips({undeformed, undeformed, points, at_rest}, interface);
         if (contact.overclosure == Overclosure::adjust)
           for (unsigned int k = 0; k < at_rest.size(); ++k)
@@ -234,7 +234,7 @@ namespace lamella
                                                       &history.step_begin);
     const EvaluatedPoints evaluated{undeformed, at, history.points, integrals};
     set_gaps(evaluated, u, factor, search_radius, removed_overlap, interface);
-    if (undeformed.contact().friction > 0.)
+    if (undeformed.contact().has_slips())
       {
         set_slips(evaluated, interface);
         offset_slips(integrals, u, factor, interface);
@@ -251,7 +251,7 @@ namespace lamella
                       ContactHistory    &history,
                       ContactInterface  &interface) const
   {
-    if (undeformed.contact().friction == 0.)
+    if (!undeformed.contact().has_slips())
       return;
     history.step_begin.sides =
       std::make_shared<const ContactSides>(undeformed, u, factor);

@@ -227,9 +227,37 @@ namespace lamella
 
 
 
+    /// Closes the gaps of ties; throws InputError if the surfaces are apart.
+    void
+    close_ties(const ContactPair &contact, ContactInterface &interface)
+    {
+      // Rotations times the distance of tied points are relative displacements:
+      // beside the spacing of points, a gap is an error of this size.
+      constexpr double negligible = 1e-3;
+      for (unsigned int k = 0; k < interface.rows.size(); ++k)
+        {
+          const double gap = interface.rows[k].initial_gap;
+          if (std::abs(gap) > negligible * interface.points[k].spacing)
+            throw InputError("Contact " + contact.name + "/Enforcement",
+                             name_of(contact.enforcement),
+                             "contact.tied-apart: the surfaces are " +
+                               to_text(std::abs(gap), 3) +
+                               (gap > 0. ? " apart at " :
+                                           " into each other at ") +
+                               to_text(interface.points[k].first) +
+                               ", and only surfaces that touch can be tied",
+                             "Move one of the bodies (Origin).");
+          interface.rows[k].initial_gap = 0.;
+        }
+    }
+
+
+
     void
     remove_overclosure(const ContactPair &contact, ContactInterface &interface)
     {
+      if (contact.enforcement == Enforcement::tied)
+        return close_ties(contact, interface);
       Assert(contact.overclosure != Overclosure::undefined,
              ExcMessage("What becomes of an overlap was never set."));
       if (contact.overclosure == Overclosure::resolve)
@@ -285,6 +313,30 @@ namespace lamella
                        [](const GapConstraint *const row) {
                          return row->friction > 0.;
                        });
+  }
+
+
+
+  bool
+  GapConstraints::has_slips() const
+  {
+    return std::any_of(rows.begin(),
+                       rows.end(),
+                       [](const GapConstraint *const row) {
+                         return !row->slips.empty() || row->is_tied();
+                       });
+  }
+
+
+
+  std::vector<unsigned int>
+  GapConstraints::with_ties(const std::vector<unsigned int> &some) const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int r = 0; r < size(); ++r)
+      if (rows[r]->is_tied() || std::binary_search(some.begin(), some.end(), r))
+        result.push_back(r);
+    return result;
   }
 
 

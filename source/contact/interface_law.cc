@@ -80,6 +80,27 @@ namespace lamella
 
 
 
+  ShearBound
+  TiedInterface::bound(const Tensor<1, 3> &) const
+  {
+    return {};
+  }
+
+
+
+  InterfaceResponse
+  TiedInterface::evaluate(const Tensor<1, 3> &z, const double) const
+  {
+    InterfaceResponse result;
+    result.state    = PointState::stick;
+    result.traction = z;
+    result.tangent  = unit_symmetric_tensor<3>();
+    result.energy   = 0.5 * z.norm_square();
+    return result;
+  }
+
+
+
   double
   law_compliance(const GapConstraint &row)
   {
@@ -91,6 +112,8 @@ namespace lamella
   std::shared_ptr<const InterfaceLaw>
   law_of(const GapConstraint &row)
   {
+    if (row.is_tied())
+      return std::make_shared<TiedInterface>(law_compliance(row));
     if (row.slips.empty())
       return std::make_shared<UnilateralContact>(law_compliance(row));
     return std::make_shared<CoulombFriction>(law_compliance(row), row.friction);

@@ -92,7 +92,7 @@ namespace lamella
       for (unsigned int k = 0; k < contacts.size(); ++k)
         {
           ContactHistory history;
-          if (contacts[k].friction > 0.)
+          if (contacts[k].has_slips())
             const Contact with_slips(contacts[k],
                                      bodies,
                                      interfaces[k],

@@ -260,8 +260,9 @@ namespace lamella
                      least         = std::max(smallest_compliance *
                                         compliance.diagonal(number),
                                       smallest_of_given * given);
-        return row.enforcement == Enforcement::exact ? least :
-                                                       std::max(given, least);
+        return row.enforcement == Enforcement::exact || row.is_tied() ?
+                 least :
+                 std::max(given, least);
       }
 
       /// Returns the gaps @p part, each followed by the indices of its slips.
@@ -435,7 +436,10 @@ namespace lamella
         if (has_friction)
           solution.direction.assign(rows.size(), {});
         for (std::size_t i = 0; i < part.size(); ++i)
-          solution.store(part[i], found.states[i], found.force[i]);
+          solution.store(part[i],
+                         rows[part[i]].is_tied(),
+                         found.states[i],
+                         found.force[i]);
         std::vector<double> change = small.compliance.by_rows(found.force);
         for (std::size_t k = 0; k < change.size(); ++k)
           change[k] -= before[k];
@@ -456,7 +460,7 @@ namespace lamella
                    const PointVectors              &start) const
       {
         DenseInterfaceSystem system(small.compliance, small.q, small.about);
-        InterfacePoints      points = system.points(small.friction);
+        InterfacePoints      points = system.points(small.law);
         for (std::size_t i = 0; i < part.size(); ++i)
           {
             points.compliance[i] =
@@ -485,7 +489,7 @@ namespace lamella
         for (const unsigned int r : part)
           {
             W.first.push_back(W.first.back() + 1 + rows[r].slips.size());
-            small.friction.push_back(rows[r].friction);
+            small.law.push_back(law_of(rows[r]));
           }
         W.matrix    = compliance.among(numbers);
         small.about = W.by_points(forces);
@@ -505,19 +509,20 @@ namespace lamella
       /// Moves open constraints from @p part to @p left if most of @p part are
       /// open; those already in @p left stay, since none is removed twice.
       // Each row is removed at most once, which ensures termination.
-      static void
+      void
       remove_idle_rows(const ContactProblem      &problem,
                        const ContactSolution     &solution,
                        std::vector<unsigned int> &part,
-                       std::set<unsigned int>    &left)
+                       std::set<unsigned int>    &left) const
       {
         if (!are_idle(part.size(), solution.active.size()))
           return;
         const auto leaves = [&](const unsigned int r) {
           // A row with a force in the state changes du when it opens, so it
           // stays.
-          return solution.force[r] == 0. && problem.force[r] == 0. &&
-                 problem.estimate[r] == 0. && left.insert(r).second;
+          return !rows[r].is_tied() && solution.force[r] == 0. &&
+                 problem.force[r] == 0. && problem.estimate[r] == 0. &&
+                 left.insert(r).second;
         };
         part.erase(std::remove_if(part.begin(), part.end(), leaves),
                    part.end());

@@ -119,11 +119,12 @@ namespace lamella
 
   void
   ContactSolution::store(const unsigned int          r,
+                         const bool                  bilateral,
                          const PointState            state,
                          const dealii::Tensor<1, 3> &lambda)
   {
     const bool closed = state != PointState::open;
-    force[r]          = closed ? std::max(0., lambda[0]) : 0.;
+    force[r] = bilateral ? lambda[0] : closed ? std::max(0., lambda[0]) : 0.;
     if (closed)
       active.push_back(r);
     if (shear.empty())

@@ -255,7 +255,7 @@ namespace lamella
       result.direction.assign(rows.size(), {});
       for (unsigned int r = 0; r < rows.size(); ++r)
         {
-          result.store(r, found.states[r], found.force[r]);
+          result.store(r, rows[r].is_tied(), found.states[r], found.force[r]);
           if (found.force[r] != before[r])
             for (const BodyFunctional &part : rows[r].parts)
               moved[part.body] = true;
@@ -309,7 +309,11 @@ namespace lamella
         rules.tolerance        = arithmetic::rounding_of_solutions;
         rules.extra_iterations = 0;
         if (largest_component(start) == 0.)
-          rules.first_iterations = problem.residual.size() > 0 ? 1 : 0;
+          rules.first_iterations =
+            problem.residual.size() > 0 ||
+                rows.with_ties({}).size() == rows.size() ?
+              1 :
+              0;
 
         SparseInterfaceSystem system(
           tangent_operator, rows, numerical_compliance, problem, matrix);

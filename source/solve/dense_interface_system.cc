@@ -250,17 +250,14 @@ namespace lamella
 
 
   InterfacePoints
-  DenseInterfaceSystem::points(const std::vector<double> &friction) const
+  DenseInterfaceSystem::points(
+    const std::vector<std::shared_ptr<const InterfaceLaw>> &law) const
   {
     InterfacePoints result;
+    result.law = law;
     for (unsigned int i = 0; i < W.n_points(); ++i)
       {
         result.n_slips.push_back(W.size(i) - 1);
-        result.law.push_back(
-          W.size(i) > 1 ?
-            std::shared_ptr<const InterfaceLaw>(
-              std::make_shared<CoulombFriction>(0., friction[i])) :
-            std::make_shared<UnilateralContact>(0.));
         result.stiffness.push_back(
           {{unit[i][0] * unit[i][0], unit[i][1] * unit[i][1]}});
         result.spring.push_back(result.stiffness.back()[0]);

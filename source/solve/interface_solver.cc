@@ -344,7 +344,8 @@ namespace lamella
       }
     for (unsigned int i = 0; i < force.size(); ++i)
       {
-        if (pressed[i] <= arithmetic::rounding * size)
+        if (pressed[i] <= arithmetic::rounding * size &&
+            !points.law[i]->is_bilateral())
           result.states[i] = PointState::open;
         double &error  = result.of_point[i];
         error          = size > 0. ? error / size : 0.;
@@ -433,7 +434,7 @@ namespace lamella
                                 problem.about.empty() ?
                                     PointVectors(problem.q.size()) :
                                     problem.about);
-    const InterfacePoints  exact = system.points(problem.friction);
+    const InterfacePoints  exact = system.points(problem.law);
     InterfaceSolution      best;
     best.force             = start;
     PointVectors lambda    = start;

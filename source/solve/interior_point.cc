@@ -80,6 +80,7 @@ namespace lamella
         , points(points)
         , parameters(parameters)
         , n(points.law.size())
+        , has_shear(n, false)
       {
         for (const auto &[normal, tangential] : points.stiffness)
           unit.push_back(Tensor<1, 3>(
@@ -124,6 +125,12 @@ namespace lamella
         PointVectors   v = gaps();
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                springs[i] = stiffness_of_tie(i);
+                pushed[i]  = -(springs[i] * v[i]);
+                continue;
+              }
             for (unsigned int c = 0; c < 3; ++c)
               {
                 pushed[i][c]     = points.about[i][c] / unit[i][c];
@@ -137,6 +144,8 @@ namespace lamella
         v = gaps();
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              continue;
             length_scale = std::max(length_scale, std::abs(v[i][0]));
             force_scale =
               std::max(force_scale,
@@ -145,6 +154,13 @@ namespace lamella
         force.assign(n, {});
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                force[i] = pushed[i] - springs[i] * moved[i];
+                slack.push_back(0.);
+                gamma.push_back(0.);
+                continue;
+              }
             const double least = parameters.first_gap * length_scale;
             slack.push_back(std::max(v[i][0], least));
             force[i][0] = parameters.first_force * force_scale;
@@ -163,12 +179,16 @@ namespace lamella
         const double       last  = normal_product;
         const PointVectors v     = gaps();
         residual.assign(n, {});
-        has_shear.resize(n, false);
         bound.assign(n, 0.);
         room.assign(n, 0.);
         std::vector<double> normal, shear;
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                residual[i] = v[i] + invert(stiffness_of_tie(i)) * force[i];
+                continue;
+              }
             const bool had_shear = has_shear[i];
             has_shear[i] =
               points.n_slips[i] > 0 &&
@@ -266,12 +286,29 @@ namespace lamella
         return scaled;
       }
 
+      /// Returns the scaled stiffness of the tied point @p i: a penalty, as the
+      /// forces are a starting point only.
+      SymmetricTensor<2, 3>
+      stiffness_of_tie(const unsigned int i) const
+      {
+        constexpr double      compliance_of_tie = 1e-6;
+        SymmetricTensor<2, 3> D;
+        for (unsigned int c = 0; c < 3; ++c)
+          D[c][c] = 1. / (compliance_of_tie + compliance(i, c));
+        return D;
+      }
+
       PointStiffness
       stiffness() const
       {
         PointStiffness D(n);
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                D[i] = stiffness_of_tie(i);
+                continue;
+              }
             const double d = compliance(i, 0), lambda = force[i][0];
             D[i][0][0] = lambda / (slack[i] + d * lambda);
             if (!has_shear[i])
@@ -308,6 +345,12 @@ namespace lamella
         PointVectors next = force;
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                step.force[i] = -(D[i] * residual[i]);
+                next[i] += step.force[i];
+                continue;
+              }
             const double lambda = force[i][0], s = slack[i];
             Tensor<1, 3> away;
             if (has_shear[i])
@@ -326,6 +369,12 @@ namespace lamella
         for (unsigned int i = 0; i < n; ++i)
           {
             step.force[i] -= D[i] * w[i];
+            if (points.law[i]->is_bilateral())
+              {
+                step.slack.push_back(0.);
+                step.gamma.push_back(0.);
+                continue;
+              }
             step.slack.push_back(w[i][0] + compliance(i, 0) * step.force[i][0] +
                                  residual[i][0]);
             step.gamma.push_back(
@@ -349,6 +398,8 @@ namespace lamella
         };
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              continue;
             limit(force[i][0], step.force[i][0]);
             limit(slack[i], step.slack[i]);
             limit(gamma[i], step.gamma[i]);
@@ -376,6 +427,12 @@ namespace lamella
         std::vector<double> products, correction;
         for (unsigned int i = 0; i < n; ++i)
           {
+            if (points.law[i]->is_bilateral())
+              {
+                if (reach > short_step)
+                  correction.push_back(0.);
+                continue;
+              }
             products.push_back((slack[i] + reach * predictor.slack[i]) *
                                (force[i][0] + reach * predictor.force[i][0]));
             if (reach > short_step)
@@ -410,7 +467,8 @@ namespace lamella
       bool
       is_closed(const unsigned int i) const
       {
-        return force[i][0] * length_scale > slack[i] * force_scale;
+        return points.law[i]->is_bilateral() ||
+               force[i][0] * length_scale > slack[i] * force_scale;
       }
       /// Completes the states of the last iterate: open points get no force,
       /// slipping points the shear force of the bound, from which all iterates

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace lamella
 {
@@ -90,7 +89,17 @@ namespace lamella
           const GapConstraint &row    = contact.rows[k];
           const double         lambda = forces.normal[k];
           const double         g      = row.gap(u, factor);
-          kkt.max_penetration         = std::max(kkt.max_penetration, -g);
+          if (row.is_tied())
+            {
+              kkt.law_error = std::max(kkt.law_error, std::abs(g));
+              for (const SlipConstraint &slip : row.slips)
+                kkt.law_error =
+                  std::max(kkt.law_error, std::abs(slip.slip(u, factor)));
+              ++kkt.active;
+              kkt.violation = kkt.law_error / displacement;
+              continue;
+            }
+          kkt.max_penetration = std::max(kkt.max_penetration, -g);
           kkt.law_error =
             std::max(kkt.law_error,
                      lambda == 0. ? -g :
@@ -107,7 +116,7 @@ namespace lamella
               smallest                 = std::min(smallest, lambda);
             }
         }
-      if (kkt.active == 0)
+      if (largest == 0.)
         return;
       kkt.min_force = smallest;
       kkt.violation =
@@ -130,7 +139,7 @@ namespace lamella
           kkt.dissipated += of.dissipated;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         {
-          if (forces.normal[k] == 0.)
+          if (forces.magnitude(k) == 0.)
             continue;
           kkt.shear += forces.shear[k];
           (forces.slips(k) ? kkt.slipping : kkt.sticking) +=
@@ -149,7 +158,7 @@ namespace lamella
     {
       std::vector<Wrench> of_rows(contact.rows.size());
       for (unsigned int k = 0; k < of_rows.size(); ++k)
-        if (forces.normal[k] != 0.)
+        if (forces.magnitude(k) != 0.)
           of_rows[k] = on_body.resultant_of_work([&](const Vector &motion) {
             const GapConstraint &row = contact.rows[k];
             double work = forces.normal[k] * row.parts[side].row(motion);
@@ -179,17 +188,17 @@ namespace lamella
 
     /// The mean of the points that are pressed, weighted with their forces.
     Point<3>
-    mean_point(const ContactInterface        &contact,
-               const ArrayView<const double> &forces)
+    mean_point(const ContactInterface &contact, const ConstraintForces &forces)
     {
       Tensor<1, 3> mean;
       double       weight = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
-        if (forces[k] != 0.)
-          {
-            mean += forces[k] * contact.points[k].first;
-            weight += forces[k];
-          }
+        {
+          const double force =
+            contact.rows[k].is_tied() ? forces.magnitude(k) : forces.normal[k];
+          mean += force * contact.points[k].first;
+          weight += force;
+        }
       return Point<3>(mean / weight);
     }
 
@@ -223,8 +232,9 @@ namespace lamella
       std::vector<Wrench> on_second;
       const Wrench        of_first = sum(on_first);
       on_body[contact.first_body].add(of_first);
-      const double all =
-        std::accumulate(forces.normal.begin(), forces.normal.end(), 0.);
+      double all = 0.;
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        all += forces.magnitude(k);
       if (contact.second_body.has_value())
         {
           BodyForces &second     = on_body[*contact.second_body];
@@ -252,7 +262,7 @@ namespace lamella
       kkt.moment         = whole.moment;
       if (kkt.force.norm() != 0.)
         kkt.center_of_pressure =
-          line_of_action(whole, mean_point(contact, forces.normal));
+          line_of_action(whole, mean_point(contact, forces));
     }
   } // namespace
 

@@ -195,7 +195,7 @@ namespace lamella
     if (std::none_of(state.active.begin(),
                      state.active.end(),
                      [&](const unsigned int r) {
-                       return refined.force[r] < 0.;
+                       return refined.force[r] < 0. && !rows[r].is_tied();
                      }))
       {
         state = std::move(refined);

@@ -85,7 +85,7 @@ namespace lamella
     for (const GapConstraint &row : rows)
       problem.gap.push_back(row.gap(state.u, to));
     problem.force = problem.estimate = state.force;
-    problem.start                    = state.active;
+    problem.start                    = rows.with_ties(state.active);
     problem.closed                   = rounding_of_gaps(state, to);
     if (!state.friction.empty())
       add_friction(rows, state, to, problem);
@@ -205,7 +205,7 @@ namespace lamella
     // First-order update of forces; the next iteration finds the active set.
     add_forces(contacts.rows(), closed, forces, state);
     for (const unsigned int row : state.active)
-      if (state.force[row] < 0.)
+      if (state.force[row] < 0. && !contacts.rows()[row].is_tied())
         {
           state.force[row] = 0.;
           if (!state.friction.empty())
@@ -308,13 +308,15 @@ namespace lamella
     ContactProblem        problem = problem_at(rows, r, to, state);
     if (estimate.u.n_blocks() > 0)
       {
-        problem.start.clear();
-        for (const unsigned int row : estimate.active)
-          if (problem.gap[row] < 0.)
+        problem.start = rows.with_ties({});
+        for (const unsigned int row : rows.with_ties(estimate.active))
+          if (problem.gap[row] < 0. || rows[row].is_tied())
             {
-              problem.start.push_back(row);
+              if (!rows[row].is_tied())
+                problem.start.push_back(row);
               problem.estimate[row] = estimate.force[row];
             }
+        std::sort(problem.start.begin(), problem.start.end());
         if (!estimate.friction.empty())
           problem.first_forces = forces_by_rows(rows, estimate);
       }

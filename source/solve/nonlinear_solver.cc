@@ -94,7 +94,7 @@ namespace lamella
     Equilibrium at;
     at.state.u = structure.zero();
     at.state.force.assign(contacts.rows().size(), 0.);
-    if (contacts.rows().has_friction())
+    if (contacts.rows().has_slips())
       at.state.friction = FrictionState::unloaded(contacts.rows());
     at.factor = factor.unloaded();
     return at;
@@ -312,7 +312,7 @@ namespace lamella
     State    &state = at.state;
     start.estimate  = std::move(state);
     state           = linear->solve_free(to);
-    if (contacts.rows().has_friction())
+    if (contacts.rows().has_slips())
       {
         const FrictionState &previous = start.estimate.friction;
         state.friction          = FrictionState::unloaded(contacts.rows());
@@ -336,7 +336,8 @@ namespace lamella
     if (rows.empty())
       return true;
     if (structure.has_springs() ||
-        (rows.has_friction() && !previous.active.empty()))
+        (rows.has_friction() && !previous.active.empty()) ||
+        !rows.with_ties({}).empty())
       return false;
     const double closed = rounding_of_gaps(state, to);
     return std::none_of(rows.begin(), rows.end(), [&](const auto &row) {

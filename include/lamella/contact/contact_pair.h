@@ -131,14 +131,16 @@ namespace lamella
 
   /// Enforcement of contact constraints. An active constraint satisfies g + a
   /// lambda = 0 with gap g, force lambda and compliance a = 1 / eps for
-  /// `penalty` (parameter eps [force / length]), else a = 0.
+  /// `penalty` (parameter eps [force / length]), else a = 0. Constraints of
+  /// ties are always active, in all three directions.
   enum class Enforcement
   {
     undefined,
     penalty,              ///< lambda = eps max(0, -g): bodies penetrate
     augmented_lagrangian, ///< penalty about a multiplier estimate, improved
                           ///< until there is no penetration
-    exact                 ///< Lagrange multipliers: g >= 0
+    exact,                ///< Lagrange multipliers: g >= 0
+    tied                  ///< Lagrange multipliers: no relative displacement
   };
 
   /// Names of the enforcement methods in parameter files.
@@ -148,7 +150,8 @@ namespace lamella
     static constexpr NameOf<Enforcement> all[] = {
       {Enforcement::penalty, "penalty"},
       {Enforcement::augmented_lagrangian, "augmented lagrangian"},
-      {Enforcement::exact, "exact"}}; ///< Value and name of each method.
+      {Enforcement::exact, "exact"},
+      {Enforcement::tied, "tied"}}; ///< Value and name of each method.
   };
 
   /// Unit of a penalty parameter. A small penalty permits penetration; a large
@@ -280,6 +283,13 @@ namespace lamella
     /// Rigid obstacle in place of `second`, or null. It has no nodes, so `node
     /// to node`, `edge to surface` and a slave side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
+
+    /// Returns true if constraints have slips: with friction, and of ties.
+    bool
+    has_slips() const
+    {
+      return friction > 0. || enforcement == Enforcement::tied;
+    }
 
     /// Discretization of the gap function. Must be set.
     Discretization discretization = Discretization::undefined;

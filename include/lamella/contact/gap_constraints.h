@@ -97,11 +97,19 @@ namespace lamella
     double penalty = 0.;
 
     double friction = 0.; ///< Coulomb friction coefficient.
-    /// Slips along two tangents; empty without friction.
+    /// Slips along two tangents; empty without friction and ties.
     std::vector<SlipConstraint> slips = {};
     /// Number of the slave node in MeshSurface::grid_nodes(). It identifies the
     /// material point when the surfaces are paired anew.
     unsigned int slave_node = 0;
+
+    /// Returns true if the constraint is always active and bilateral, as are
+    /// its slips.
+    bool
+    is_tied() const
+    {
+      return enforcement == Enforcement::tied;
+    }
 
     /// Returns the gap at @p u and @p factor [length]; negative if penetrating.
     double
@@ -251,6 +259,14 @@ namespace lamella
     /// Returns true if any contact has friction.
     bool
     has_friction() const;
+
+    /// Returns true if any constraint has slips: contacts with friction, ties.
+    bool
+    has_slips() const;
+
+    /// Returns @p some constraints (ascending) and all ties, ascending.
+    std::vector<unsigned int>
+    with_ties(const std::vector<unsigned int> &some) const;
 
     /// Returns an iterator to the first gap constraint.
     auto

@@ -70,6 +70,13 @@ namespace lamella
     virtual ShearBound
     bound(const dealii::Tensor<1, 3> &z) const = 0;
 
+    /// Returns true if the law also transmits tension, in all directions.
+    virtual bool
+    is_bilateral() const
+    {
+      return false;
+    }
+
     /// Returns traction, derivatives and energy for the trial traction @p z and
     /// a constant @p bound of the shear force.
     virtual InterfaceResponse
@@ -109,6 +116,22 @@ namespace lamella
 
   private:
     const double mu;
+  };
+
+  /// Tied points: v = 0 for any traction, P(z) = z.
+  class TiedInterface : public InterfaceLaw
+  {
+  public:
+    using InterfaceLaw::InterfaceLaw;
+    bool
+    is_bilateral() const override
+    {
+      return true;
+    }
+    ShearBound
+    bound(const dealii::Tensor<1, 3> &z) const override;
+    InterfaceResponse
+    evaluate(const dealii::Tensor<1, 3> &z, const double bound) const override;
   };
 
   /// Returns the compliance a [length / force] in the contact law of the

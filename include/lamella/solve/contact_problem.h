@@ -174,8 +174,10 @@ namespace lamella
 
     /// Stores the contact force @p lambda = (n, t_1, t_2) of the constraint @p
     /// r in the state @p state, and adds it to the active ones if it is closed.
+    /// Constraints that are not @p bilateral have no negative force.
     void
     store(const unsigned int          r,
+          const bool                  bilateral,
           const PointState            state,
           const dealii::Tensor<1, 3> &lambda);
   };

@@ -24,10 +24,10 @@ namespace lamella
                          const PointVectors    &q,
                          const PointVectors    &about);
 
-    /// Returns the contact points with the @p friction coefficients, exact laws
-    /// and no numerical compliance.
+    /// Returns the contact points with the laws @p law and no numerical
+    /// compliance.
     InterfacePoints
-    points(const std::vector<double> &friction) const;
+    points(const std::vector<std::shared_ptr<const InterfaceLaw>> &law) const;
 
     void
     factorize(const PointStiffness &D) override;

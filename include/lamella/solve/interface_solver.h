@@ -120,8 +120,9 @@ namespace lamella
   {
     PointCompliance compliance; ///< Compliance W of the contact points.
     /// Gap and slip of each point under the forces `about`.
-    PointVectors        q, about = {}; ///< Reference forces; zero if empty.
-    std::vector<double> friction; ///< Friction coefficient mu of each point.
+    PointVectors q, about = {}; ///< Reference forces; zero if empty.
+    /// Law of each point, with which a coefficient of friction.
+    std::vector<std::shared_ptr<const InterfaceLaw>> law;
   };
 
   /// Tolerances and limits of solve_coulomb().

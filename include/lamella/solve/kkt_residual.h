@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <cmath>
+
 namespace lamella
 {
   /// A force and its moment about the scene origin or another stated point.
@@ -142,6 +144,13 @@ namespace lamella
     shear_of(const unsigned int k) const
     {
       return shear.size() == 0 ? dealii::Tensor<1, 3>() : shear[k];
+    }
+
+    /// Returns the magnitude of the force of constraint @p k.
+    double
+    magnitude(const unsigned int k) const
+    {
+      return std::hypot(normal[k], shear_of(k).norm());
     }
 
     /// Returns true if the constraint of index @p k is active and slips.
