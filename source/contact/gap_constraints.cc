@@ -145,6 +145,9 @@ namespace lamella
       row.enforcement = contact.enforcement;
       row.penalty     = row_penalty(contact.penalty, gap.slave, gap.master);
       row.slave_node  = gap.slave_node;
+      if (const Adhesive &layer = contact.adhesive; layer.thickness > 0.)
+        row.adhesive = {{layer.thickness / (layer.modulus * gap.area),
+                         layer.thickness / (layer.shear_modulus * gap.area)}};
       return row;
     }
 

@@ -102,9 +102,19 @@ namespace lamella
 
 
   double
-  law_compliance(const GapConstraint &row)
+  law_compliance(const GapConstraint &row, const bool tangential)
   {
-    return row.enforcement == Enforcement::penalty ? 1. / row.penalty : 0.;
+    return row.enforcement == Enforcement::penalty ? 1. / row.penalty :
+           row.is_tied() ? row.adhesive[tangential ? 1 : 0] :
+                           0.;
+  }
+
+
+
+  double
+  law_compliance(const GapConstraints &rows, const unsigned int number)
+  {
+    return law_compliance(rows[rows.row_of(number)], number >= rows.size());
   }
 
 
@@ -113,9 +123,9 @@ namespace lamella
   law_of(const GapConstraint &row)
   {
     if (row.is_tied())
-      return std::make_shared<TiedInterface>(law_compliance(row));
+      return std::make_shared<TiedInterface>();
     if (row.slips.empty())
-      return std::make_shared<UnilateralContact>(law_compliance(row));
-    return std::make_shared<CoulombFriction>(law_compliance(row), row.friction);
+      return std::make_shared<UnilateralContact>();
+    return std::make_shared<CoulombFriction>(row.friction);
   }
 } // namespace lamella

@@ -27,7 +27,8 @@ namespace lamella
         selection<Enforcement>(),
         "penalty: the contact force is Penalty times the penetration; "
         "augmented lagrangian: penalty with iterations that remove the "
-        "penetration; exact: Lagrange multipliers.");
+        "penetration; exact: Lagrange multipliers; tied: the surfaces hold "
+        "together, also in tension and shear (doc/guides/bonds.md).");
       prm.declare_entry("Penalty",
                         "auto",
                         patterns::WordOrPattern("auto", patterns::positive()),
@@ -41,6 +42,74 @@ namespace lamella
                         "tributary area, independent of the mesh; node: "
                         "Penalty in force/length per node, as in the paper. "
                         "Unused with Penalty = auto.");
+    }
+
+
+
+    void
+    declare_adhesive(ParameterHandler &prm)
+    {
+      prm.declare_entry("Adhesive thickness",
+                        "",
+                        patterns::optional(patterns::positive()),
+                        "Thickness of an elastic adhesive layer between tied "
+                        "surfaces [length]. The surfaces touch in the scene: "
+                        "the layer has no volume. Empty: no layer.");
+      prm.declare_entry("Adhesive moduli",
+                        "",
+                        patterns::optional(patterns::numbers(2)),
+                        "Modulus E across the adhesive layer and shear modulus "
+                        "G [force/length^2]: traction = modulus / thickness "
+                        "times relative displacement.");
+    }
+
+
+
+    /// The adhesive of tied surfaces; refuses what does not fit ties.
+    Adhesive
+    parse_adhesive(const Entries &in, const ContactPair &contact)
+    {
+      const Entry thickness = in["Adhesive thickness"],
+                  moduli    = in["Adhesive moduli"];
+      const bool is_tied    = contact.enforcement == Enforcement::tied;
+      for (const Entry &entry : {thickness, moduli})
+        if (!entry.is_empty() && !is_tied)
+          entry.refuse("contact.adhesive-without-tie: only tied surfaces have "
+                       "an adhesive",
+                       "Write Enforcement = tied, or remove this entry.");
+      if (thickness.is_empty() != moduli.is_empty())
+        (thickness.is_empty() ? thickness : moduli)
+          .refuse_missing("contact.adhesive-incomplete: an adhesive has both "
+                          "Adhesive thickness and Adhesive moduli; write, for "
+                          "example, 0.2 and 3000, 1100.");
+      if (thickness.is_empty())
+        return {};
+      const std::vector<double> values = moduli.numbers();
+      if (!(values[0] > 0. && values[1] > 0.))
+        moduli.refuse("contact.adhesive-not-positive: both moduli must be "
+                      "positive",
+                      "Write E, G, as in 3000, 1100.");
+      return {thickness.positive(), values[0], values[1]};
+    }
+
+
+
+    /// What ties do not have.
+    void
+    check_tie(const ContactPair &contact, const Entries &in)
+    {
+      if (contact.enforcement != Enforcement::tied)
+        return;
+      if (contact.obstacle != nullptr)
+        in["Enforcement"].refuse(
+          "contact.tied-to-obstacle: obstacles cannot be "
+          "tied to a body",
+          "Write a Support on the surface of the body.");
+      if (contact.friction > 0.)
+        in["Friction"].refuse(
+          "contact.tied-with-friction: tied surfaces do not "
+          "slip",
+          "Remove Friction, or write another Enforcement.");
     }
 
 
@@ -289,6 +358,7 @@ namespace lamella
       "forces push them apart, an interference fit), adjust (the overlap is "
       "subtracted from the gaps, without strain), or error.");
     declare_enforcement(prm);
+    declare_adhesive(prm);
     prm.declare_entry("Tolerance",
                       "1e-6",
                       patterns::positive(),
@@ -331,6 +401,8 @@ namespace lamella
     contact.penalty   = parse_penalty(in);
     contact.tolerance = parse_tolerance(in["Tolerance"]);
     contact.friction  = parse_friction(in["Friction"]);
+    contact.adhesive  = parse_adhesive(in, contact);
+    check_tie(contact, in);
     return contact;
   }
 

@@ -211,9 +211,11 @@ namespace lamella
                    search_distance,
                    friction,
                    is_automatic,
-                   part_of]     = contact;
-      const auto &[kind, value] = penalty;
-      std::string words         = name;
+                   part_of,
+                   adhesive]                          = contact;
+      const auto &[kind, value]                       = penalty;
+      const auto &[thickness, modulus, shear_modulus] = adhesive;
+      std::string words                               = name;
       for (const auto choice : {static_cast<unsigned int>(discretization),
                                 static_cast<unsigned int>(enforcement),
                                 static_cast<unsigned int>(overclosure),
@@ -223,7 +225,8 @@ namespace lamella
                                 static_cast<unsigned int>(kind)})
         words += " " + describe(choice);
       return words + describe(value) + describe(tolerance) +
-             describe(friction) +
+             describe(friction) + describe(thickness) + describe(modulus) +
+             describe(shear_modulus) +
              (search_distance ? describe(*search_distance) : "");
     }
 

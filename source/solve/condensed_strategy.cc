@@ -256,13 +256,14 @@ namespace lamella
       compliance_of_law(const unsigned int number) const
       {
         const GapConstraint &row   = rows[rows.row_of(number)];
-        const double         given = numerical_compliance(row),
+        const double         given = numerical_compliance(rows, number),
                      least         = std::max(smallest_compliance *
                                         compliance.diagonal(number),
                                       smallest_of_given * given);
-        return row.enforcement == Enforcement::exact || row.is_tied() ?
-                 least :
-                 std::max(given, least);
+        if (row.is_tied())
+          return law_compliance(rows, number) + least;
+        return row.enforcement == Enforcement::exact ? least :
+                                                       std::max(given, least);
       }
 
       /// Returns the gaps @p part, each followed by the indices of its slips.
@@ -463,10 +464,10 @@ namespace lamella
         InterfacePoints      points = system.points(small.law);
         for (std::size_t i = 0; i < part.size(); ++i)
           {
-            points.compliance[i] =
+            points.compliance[i][0] =
               compliance_of_law(part[i]) - law_compliance(rows[part[i]]);
             points.shift[i][0] =
-              points.compliance[i] * problem.estimate[part[i]];
+              points.compliance[i][0] * problem.estimate[part[i]];
           }
         points.closed = problem.closed;
         return solve_interface(system, points, start, {});
@@ -495,13 +496,17 @@ namespace lamella
         small.about = W.by_points(forces);
         for (std::size_t i = 0; i < part.size(); ++i)
           {
-            const double a = law_compliance(rows[part[i]]);
-            small.q.push_back(a * small.about[i]);
+            small.q.emplace_back();
+            for (unsigned int k = W.first[i]; k < W.first[i + 1]; ++k)
+              {
+                const unsigned int c = k - W.first[i];
+                const double       a = law_compliance(rows, numbers[k]);
+                small.q[i][c]        = a * small.about[i][c];
+                W(k, k) += a;
+              }
             small.q[i][0] += problem.gap[part[i]];
             for (unsigned int t = 0; t < rows[part[i]].slips.size(); ++t)
               small.q[i][1 + t] += problem.slip[part[i]][t];
-            for (unsigned int k = W.first[i]; k < W.first[i + 1]; ++k)
-              W(k, k) += a;
           }
         return small;
       }

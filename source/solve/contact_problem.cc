@@ -81,11 +81,20 @@ namespace lamella
 
 
   double
-  NumericalCompliance::operator()(const GapConstraint &row) const
+  NumericalCompliance::proximal(const GapConstraint &row) const
   {
     return row.enforcement == Enforcement::penalty ?
-             1. / row.penalty :
+             0. :
              1. / (stiffening * row.penalty);
+  }
+
+
+
+  double
+  NumericalCompliance::operator()(const GapConstraints &rows,
+                                  const unsigned int    number) const
+  {
+    return law_compliance(rows, number) + proximal(rows[rows.row_of(number)]);
   }
 
 

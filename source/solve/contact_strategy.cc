@@ -119,13 +119,16 @@ namespace lamella
         points.closed = problem.closed;
         for (unsigned int r = 0; r < rows.size(); ++r)
           {
-            const double d        = compliance(rows[r]),
-                         proximal = d - law_compliance(rows[r]),
-                         local    = 1. / (matrix.local_compliance(r) + d),
+            const double proximal = compliance.proximal(rows[r]),
+                         local    = 1. / (matrix.local_compliance(r) +
+                                       compliance(rows, r)),
                          soft     = slender * local;
             points.n_slips.push_back(rows[r].slips.size());
             points.law.push_back(law_of(rows[r]));
-            points.compliance.push_back(d);
+            points.compliance.emplace_back();
+            for (unsigned int c = 0; c < 3; ++c)
+              points.compliance[r][c] =
+                proximal + law_compliance(rows[r], c > 0);
             points.stiffness.push_back({{soft, soft}});
             points.spring.push_back(spring * local);
             Tensor<1, 3> estimate;
@@ -342,7 +345,7 @@ namespace lamella
       {
         const std::vector<unsigned int> &numbers = closed.numbers;
         const auto compliance = [&](const unsigned int number) {
-          return numerical_compliance(rows[rows.row_of(number)]);
+          return numerical_compliance(rows, number);
         };
         std::vector<PenaltyTerm> terms;
         for (const unsigned int number : numbers)

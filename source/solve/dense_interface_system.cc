@@ -262,7 +262,7 @@ namespace lamella
           {{unit[i][0] * unit[i][0], unit[i][1] * unit[i][1]}});
         result.spring.push_back(result.stiffness.back()[0]);
       }
-    result.compliance.assign(W.n_points(), 0.);
+    result.compliance.resize(W.n_points());
     result.shift.resize(W.n_points());
     result.about = about;
     return result;

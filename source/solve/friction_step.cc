@@ -42,7 +42,7 @@ namespace lamella
   {
     return slip_of(row, state.u, factor) +
            along_tangents(row,
-                          law_compliance(row) * state.friction.shear[r] -
+                          law_compliance(row, true) * state.friction.shear[r] -
                             state.friction.before[r]);
   }
 
@@ -232,7 +232,7 @@ namespace lamella
         point.shear = shear;
         point.gap   = gap;
         // Slips of moving contacts are measured from the beginning of a step.
-        of.before[r] = law_compliance(rows[r]) * of.shear[r];
+        of.before[r] = law_compliance(rows[r], true) * of.shear[r];
         if (!moves)
           of.before[r] += in_scene(rows[r], slip_of(rows[r], state.u, factor));
       }

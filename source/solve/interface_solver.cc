@@ -81,9 +81,12 @@ namespace lamella
         G = Tensor<2, 3>(at.response.tangent) +
             outer_product(at.response.bound_derivative, at.bound.gradient);
       LinearizedLaw law;
-      law.state    = at.response.state;
-      law.B        = G * at.D;
-      law.A        = one - G + points.compliance[i] * law.B;
+      law.state = at.response.state;
+      law.B     = G * at.D;
+      law.A     = one - G;
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int b = 0; b < 3; ++b)
+          law.A[a][b] += law.B[a][b] * points.compliance[i][b];
       law.residual = at.missed(lambda);
       return law;
     }
@@ -308,7 +311,8 @@ namespace lamella
       {
         const auto  &stiffness = points.stiffness[i];
         const double d         = share / std::min(stiffness[0], stiffness[1]);
-        points.compliance[i] += d;
+        for (unsigned int c = 0; c < 3; ++c)
+          points.compliance[i][c] += d;
         points.shift[i] += d * force[i];
       }
     return points;

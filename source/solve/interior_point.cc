@@ -462,7 +462,7 @@ namespace lamella
       double
       compliance(const unsigned int i, const unsigned int c) const
       {
-        return points.compliance[i] * unit[i][c] * unit[i][c];
+        return points.compliance[i][c] * unit[i][c] * unit[i][c];
       }
       bool
       is_closed(const unsigned int i) const

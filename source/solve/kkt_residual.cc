@@ -91,10 +91,15 @@ namespace lamella
           const double         g      = row.gap(u, factor);
           if (row.is_tied())
             {
-              kkt.law_error = std::max(kkt.law_error, std::abs(g));
+              kkt.law_error =
+                std::max(kkt.law_error,
+                         std::abs(g + law_compliance(row) * lambda));
               for (const SlipConstraint &slip : row.slips)
                 kkt.law_error =
-                  std::max(kkt.law_error, std::abs(slip.slip(u, factor)));
+                  std::max(kkt.law_error,
+                           std::abs(slip.slip(u, factor) +
+                                    law_compliance(row, true) *
+                                      (slip.tangent * forces.shear_of(k))));
               ++kkt.active;
               kkt.violation = kkt.law_error / displacement;
               continue;

@@ -149,8 +149,7 @@ namespace lamella
             const unsigned int       number = closed.numbers[i];
             const ContactConstraint &row    = rows.constraint(number);
             row.add_to(r, lambda[i]);
-            g[i] = -row.jump(u) -
-                   law_compliance(rows[rows.row_of(number)]) * lambda[i];
+            g[i] = -row.jump(u) - law_compliance(rows, number) * lambda[i];
           }
       }
     return u;
@@ -293,7 +292,7 @@ namespace lamella
     for (const BodyFunctional &spring : springs)
       spring.add_to(f, -spring(v));
     for (const unsigned int number : closed.numbers)
-      if (const double a = law_compliance(rows[rows.row_of(number)]); a > 0.)
+      if (const double a = law_compliance(rows, number); a > 0.)
         {
           const ContactConstraint &row = rows.constraint(number);
           row.add_to(f, row.jump(v) / a);
@@ -321,7 +320,7 @@ namespace lamella
   {
     DofIndex n = structure.n_dofs(), constrained = rigid.size();
     for (const unsigned int number : closed.numbers)
-      constrained += law_compliance(rows[rows.row_of(number)]) == 0.;
+      constrained += law_compliance(rows, number) == 0.;
     for (unsigned int b = 0; b < structure.bodies().size(); ++b)
       constrained +=
         system.tangent().reduction(b).constraints().n_constraints();

@@ -182,6 +182,15 @@ namespace lamella
     double value = 0.;
   };
 
+  /// Adhesive layer between tied surfaces, linear elastic and without volume:
+  /// traction = modulus / thickness times relative displacement.
+  struct Adhesive
+  {
+    double thickness = 0., ///< Thickness [length]; zero: no adhesive.
+      modulus        = 0., ///< Modulus in the normal direction.
+      shear_modulus  = 0.; ///< Shear modulus [force / length^2].
+  };
+
   /// Stiffness E_n A / h [force / length] of the cell behind one side of a
   /// contact constraint: a bar of modulus E_n, cross section A and length h.
   struct LocalStiffness
@@ -284,13 +293,6 @@ namespace lamella
     /// to node`, `edge to surface` and a slave side are excluded.
     std::shared_ptr<const Obstacle> obstacle;
 
-    /// Returns true if constraints have slips: with friction, and of ties.
-    bool
-    has_slips() const
-    {
-      return friction > 0. || enforcement == Enforcement::tied;
-    }
-
     /// Discretization of the gap function. Must be set.
     Discretization discretization = Discretization::undefined;
     /// Multiplier or penalty method that enforces the contact. Must be set.
@@ -313,6 +315,14 @@ namespace lamella
     /// For an `edge to surface` contact added at body ends: index of the
     /// contact of the surfaces, in whose output it is included; else empty.
     std::optional<unsigned int> part_of;
+    Adhesive                    adhesive; ///< Adhesive layer of tied surfaces.
+
+    /// Returns true if constraints have slips: with friction, and of ties.
+    bool
+    has_slips() const
+    {
+      return friction > 0. || enforcement == Enforcement::tied;
+    }
   };
 
   /// Returns true if the discretization is, or may become, `node to node`.

@@ -16,6 +16,7 @@
 
 #include <boost/iterator/indirect_iterator.hpp>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,6 +98,9 @@ namespace lamella
     double penalty = 0.;
 
     double friction = 0.; ///< Coulomb friction coefficient.
+    /// Compliance of the adhesive of tied points in normal and in tangential
+    /// direction, t / (E A) and t / (G A) [length / force]; zero without.
+    std::array<double, 2> adhesive = {};
     /// Slips along two tangents; empty without friction and ties.
     std::vector<SlipConstraint> slips = {};
     /// Number of the slave node in MeshSurface::grid_nodes(). It identifies the

@@ -47,22 +47,16 @@ namespace lamella
   /**
    * Law of an interface point: the traction lambda that answers the jump v, the
    * gap and the two slips of a load step, v = (g, s_1, s_2) + a lambda with the
-   * compliance a of the law. The law holds if for any stiffness D > 0
-   *   lambda = P(z),  z = lambda - D v,
-   * where P is the projection onto the convex set of tractions that belongs to
-   * the bound b(z) (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92
-   * (1991) 353-375). With constant bound, P is the gradient of a convex energy
-   * and its derivative symmetric; the derivative of the bound is the
-   * unsymmetric part.
+   * compliance a of the law, law_compliance(). The law holds if for any
+   * stiffness D > 0 lambda = P(z),  z = lambda - D v, where P is the projection
+   * onto the convex set of tractions that belongs to the bound b(z) (Alart and
+   * Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375). With constant
+   * bound, P is the gradient of a convex energy and its derivative symmetric;
+   * the derivative of the bound is the unsymmetric part.
    */
   class InterfaceLaw
   {
   public:
-    /// Creates a law with the @p compliance a [length / force], zero if the
-    /// law is satisfied exactly.
-    explicit InterfaceLaw(const double compliance)
-      : compliance(compliance)
-    {}
     virtual ~InterfaceLaw();
 
     /// Returns the bound of the shear force for the trial traction @p z, or for
@@ -81,8 +75,6 @@ namespace lamella
     /// a constant @p bound of the shear force.
     virtual InterfaceResponse
     evaluate(const dealii::Tensor<1, 3> &z, const double bound) const = 0;
-
-    const double compliance; ///< Compliance a of the law [length / force].
   };
 
   /// Frictionless contact: v_n >= 0, lambda_n >= 0, v_n lambda_n = 0. With the
@@ -91,7 +83,6 @@ namespace lamella
   class UnilateralContact : public InterfaceLaw
   {
   public:
-    using InterfaceLaw::InterfaceLaw;
     ShearBound
     bound(const dealii::Tensor<1, 3> &z) const override;
     InterfaceResponse
@@ -105,9 +96,8 @@ namespace lamella
   {
   public:
     /// Creates a law with the friction coefficient @p mu.
-    CoulombFriction(const double compliance, const double mu)
-      : UnilateralContact(compliance)
-      , mu(mu)
+    explicit CoulombFriction(const double mu)
+      : mu(mu)
     {}
     ShearBound
     bound(const dealii::Tensor<1, 3> &z) const override;
@@ -118,11 +108,11 @@ namespace lamella
     const double mu;
   };
 
-  /// Tied points: v = 0 for any traction, P(z) = z.
+  /// Tied points: v = 0 for any traction, P(z) = z. The compliance is that of
+  /// an adhesive.
   class TiedInterface : public InterfaceLaw
   {
   public:
-    using InterfaceLaw::InterfaceLaw;
     bool
     is_bilateral() const override
     {
@@ -135,10 +125,16 @@ namespace lamella
   };
 
   /// Returns the compliance a [length / force] in the contact law of the
-  /// constraint @p row: 1 / eps for the method `penalty` with penalty eps,
-  /// otherwise zero.
+  /// constraint @p row: 1 / eps for the method `penalty` with penalty eps, that
+  /// of the adhesive of ties in normal or @p tangential direction, otherwise
+  /// zero.
   double
-  law_compliance(const GapConstraint &row);
+  law_compliance(const GapConstraint &row, const bool tangential = false);
+
+  /// Returns the compliance of entry @p number in a list of all gaps, then all
+  /// slips, of @p rows.
+  double
+  law_compliance(const GapConstraints &rows, const unsigned int number);
 
   /// Returns the law of the constraint @p row.
   std::shared_ptr<const InterfaceLaw>

@@ -237,11 +237,16 @@ namespace lamella
   class NumericalCompliance
   {
   public:
-    /// Returns the compliance of constraint @p row with the penalty eps: 1/eps
-    /// for the method `penalty`, otherwise 1/eps divided by `stiffening`. The
-    /// condensed strategy reduces it further for `exact`.
+    /// Returns the difference d - a for constraint @p row with the penalty eps:
+    /// zero for the method `penalty`, otherwise 1/eps divided by `stiffening`.
+    /// The condensed strategy reduces it further for `exact` and `tied`.
     double
-    operator()(const GapConstraint &row) const;
+    proximal(const GapConstraint &row) const;
+
+    /// Returns the compliance d of entry @p number in a list of all gaps, then
+    /// all slips, of @p rows.
+    double
+    operator()(const GapConstraints &rows, const unsigned int number) const;
 
     /// Multiplies the penalty by ten, so that the estimates converge faster.
     /// Returns false, without effect, if `stiffening` is already 1000.

@@ -173,7 +173,8 @@ namespace lamella
   {
     std::vector<unsigned int> n_slips; ///< Number of tangents: 0, 1 or 2.
     std::vector<std::shared_ptr<const InterfaceLaw>> law; ///< Law.
-    std::vector<double> compliance; ///< Numerical compliance d.
+    /// Numerical compliance d in normal and both tangential directions.
+    PointVectors compliance;
     /// Lengths (d - a) lambda_bar.
     PointVectors shift;
     /// Stiffness that relates forces and lengths of a point in normal and
@@ -194,7 +195,10 @@ namespace lamella
             const dealii::Tensor<1, 3> &v,
             const dealii::Tensor<1, 3> &force) const
     {
-      return v + compliance[i] * force - shift[i];
+      dealii::Tensor<1, 3> result = v - shift[i];
+      for (unsigned int c = 0; c < 3; ++c)
+        result[c] += compliance[i][c] * force[c];
+      return result;
     }
   };
 
