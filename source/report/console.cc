@@ -108,8 +108,12 @@ namespace lamella
       out << "  contact " << contact.name << " ("
           << name_of(contact.discretization) << ", "
           << name_of(contact.enforcement) << "): " << kkt.active << " of "
-          << contact.rows << " pairs touch (in this load step " << change.closed
-          << " closed, " << change.opened << " opened)";
+          << contact.rows;
+      if (contact.is_tied())
+        out << " pairs are tied";
+      else
+        out << " pairs touch (in this load step " << change.closed
+            << " closed, " << change.opened << " opened)";
       for (const auto &[side, n] :
            {std::make_pair("First", contact.unpaired),
             std::make_pair("Second", contact.unpaired_second)})
@@ -124,6 +128,12 @@ namespace lamella
       if (kkt.obstacle_displacement)
         out << "\n    displacement of '" << contact.second_name << "' "
             << to_text(*kkt.obstacle_displacement) << length;
+      if (contact.is_tied())
+        {
+          out << "\n    ties hold to " << to_text(kkt.law_error, 2) << length
+              << "\n";
+          return;
+        }
       out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length
           << ", " << to_text(kkt.max_penetration / results.size, 2)
           << " of the scene's size"
@@ -208,7 +218,7 @@ namespace lamella
       const FrictionState &friction = results.last().state.friction;
       const std::string    energy =
         unit(results.units.force, results.units.length);
-      if (friction.empty())
+      if (!has_friction(results))
         return;
       out << "  dissipated so far " << to_text(friction.all_dissipated(), 4)
           << energy;

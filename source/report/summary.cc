@@ -82,7 +82,7 @@ namespace lamella
     path_json(const Results &results)
     {
       Json json;
-      if (results.steps.empty() || results.last().state.friction.empty())
+      if (results.steps.empty() || !has_friction(results))
         return json;
       const FrictionState &friction = results.last().state.friction;
       for (const StepResults &step : results.steps)

@@ -220,7 +220,7 @@ namespace lamella
       headers["contact_" + contact.name + ".csv"] =
         "step,x,y,z,x2,y2,z2,nx,ny,nz,area,initial_gap,gap,force,pressure,"
         "active" +
-        std::string(contact.friction > 0. ?
+        std::string(contact.friction > 0. || contact.is_tied() ?
                       ",state,shear_x,shear_y,shear_z,slid,dissipated" :
                       "") +
         "\n";

@@ -85,9 +85,10 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_energy)
   unsigned int n[3] = {0, 0, 0};
   for (const Tensor<1, 3> &z : trials())
     {
-      const CoulombFriction friction(0., mu);
-      compare_with_differences(UnilateralContact(0.), z);
+      const CoulombFriction friction(mu);
+      compare_with_differences(UnilateralContact(), z);
       compare_with_differences(friction, z);
+      compare_with_differences(TiedInterface(), z);
       ++n[int(friction.evaluate(z, friction.bound(z).value).state)];
     }
   // Each state is among them.
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_projection_is_the_nearest_point_of_the_convex_set)
   // (z - P) . (x - P) <= 0 for all x with x_n >= 0, |x_t| <= b.
   for (const Tensor<1, 3> &z : trials())
     {
-      const CoulombFriction law(0., mu);
+      const CoulombFriction law(mu);
       const double          b = law.bound(z).value;
       const Tensor<1, 3>    P = law.evaluate(z, b).traction;
       for (const double n : {0., 0.7, 2.})
@@ -122,7 +123,7 @@ BOOST_AUTO_TEST_CASE(slip_opposes_the_shear_force)
 {
   // A point under the force lambda that slips by v against it: the natural map
   // is zero, for any stiffness.
-  const CoulombFriction law(0., mu);
+  const CoulombFriction law(mu);
   const Tensor<1, 3>    lambda({2., 0.6 * mu * 2., 0.8 * mu * 2.}),
     v({0., -0.3, -0.4});
   for (const double D : {0.1, 1., 30.})

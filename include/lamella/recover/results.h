@@ -14,6 +14,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <complex>
 #include <map>
 #include <memory>
@@ -181,11 +182,12 @@ namespace lamella
     /// Friction results; empty for a contact without friction.
     std::optional<Friction> friction = {};
 
-    /// Returns true if the contact point transmits a normal force.
+    /// Returns true if the contact point transmits a normal force; forces of
+    /// ties may be tensile.
     bool
     touches() const
     {
-      return force > 0.;
+      return force != 0.;
     }
   };
 
@@ -278,6 +280,13 @@ namespace lamella
     double       friction        = 0.; ///< Friction coefficient (Coulomb).
     /// Slave surface; null if unknown.
     std::shared_ptr<const SlaveSurface> surface = {};
+
+    /// Returns true for tied surfaces.
+    bool
+    is_tied() const
+    {
+      return enforcement == Enforcement::tied;
+    }
   };
 
   /// Results of the analysis of a scene, as copies without references.
@@ -361,6 +370,17 @@ namespace lamella
     const KktResidual &
     contact(const std::string &name) const;
   };
+
+  /// Returns true if any contact of @p results has friction.
+  inline bool
+  has_friction(const Results &results)
+  {
+    return std::any_of(results.contacts.begin(),
+                       results.contacts.end(),
+                       [](const ContactSummary &contact) {
+                         return contact.friction > 0.;
+                       });
+  }
 } // namespace lamella
 
 #endif
