@@ -86,6 +86,43 @@ namespace lamella
 
 
 
+  std::vector<bool>
+  ContactSides::facets_of_part(const bool second) const
+  {
+    std::vector<bool> part;
+    if (pair.where == nullptr)
+      return part;
+    const ContactSides &reference = undeformed != nullptr ? *undeformed : *this;
+    for (const auto &facet : reference.surface(second)->facets())
+      part.push_back((*pair.where)(facet.map(Point<2>(0.5, 0.5)).position) !=
+                     0.);
+    return part;
+  }
+
+
+
+  std::optional<Point<3>>
+  ContactSides::divided_facet(const bool second) const
+  {
+    constexpr double inside = arithmetic::same_in_element;
+    if (pair.where == nullptr)
+      return {};
+    const auto is_in = [&](const Point<3> &x) {
+      return (*pair.where)(x) != 0.;
+    };
+    for (const auto &facet : surface(second)->facets())
+      {
+        const Point<3> center = facet.map(Point<2>(0.5, 0.5)).position;
+        for (const double s : {inside, 1. - inside})
+          for (const double t : {inside, 1. - inside})
+            if (is_in(facet.map(Point<2>(s, t)).position) != is_in(center))
+              return center;
+      }
+    return {};
+  }
+
+
+
   std::vector<SurfacePoint>
   ContactSides::points(const bool second) const
   {

@@ -109,6 +109,7 @@ namespace lamella
       sides.master_mesh   = at.surface(!on_second);
       sides.master        = sides.master_mesh;
       sides.edge_contact  = at.is_edge_contact();
+      sides.part          = at.facets_of_part(on_second);
       std::optional<ObstacleSurface> obstacle;
       if (at.obstacle() != nullptr)
         {
@@ -124,6 +125,56 @@ namespace lamella
       return interface.discretization == Discretization::surface_to_surface ?
                weighted_gaps(sides) :
                pair_node_to_surface(sides, at.points(on_second));
+    }
+
+
+
+    /// Removes those of the nodal @p gaps, each with one place on either side,
+    /// whose slave nodes are not in the part of the surface.
+    void
+    keep_part(const ContactSides &at, const bool on_second, Gaps &gaps)
+    {
+      const std::vector<bool> part = at.facets_of_part(on_second);
+      if (part.empty())
+        return;
+      const MeshSurface &slave = *at.surface(on_second);
+      std::vector<bool>  is_kept(slave.grid_nodes().size(), false);
+      for (unsigned int f = 0; f < part.size(); ++f)
+        for (const unsigned int node : slave.facets()[f].grid_nodes)
+          is_kept[node] = is_kept[node] || part[f];
+      unsigned int n = 0;
+      for (unsigned int k = 0; k < gaps.gaps.size(); ++k)
+        if (is_kept[gaps.gaps[k].slave_node])
+          {
+            gaps.gaps[n] = gaps.gaps[k];
+            for (auto *const weights :
+                 {&gaps.gaps[n].slave_weights, &gaps.gaps[n].master_weights})
+              for (auto &[place, weight] : *weights)
+                place = n;
+            gaps.slave[n] = gaps.slave[k];
+            if (!gaps.master.empty())
+              gaps.master[n] = gaps.master[k];
+            ++n;
+          }
+      gaps.gaps.resize(n);
+      gaps.slave.resize(n);
+      gaps.master.resize(std::min<std::size_t>(n, gaps.master.size()));
+    }
+
+
+
+    /// A note if Where cuts through elements.
+    void
+    note_divided_facet(const ContactSides &at, ContactInterface &interface)
+    {
+      const auto center = at.divided_facet(interface.points_on_second);
+      if (center)
+        interface.notes.push_back(
+          "contact.divided-element: contact " + interface.name +
+          ": the boundary of Where crosses elements, for example at " +
+          to_text(*center) +
+          ". Where holds or not for whole elements, by their centers. Let an "
+          "element end at this boundary");
     }
 
 
@@ -459,6 +510,10 @@ namespace lamella
       for (WeightedGap &gap : gaps.gaps)
         gap.slave_node = sides.surface(interface.points_on_second)
                            ->grid_node(gap.node, gap.normal);
+    if (gaps.surface == nullptr)
+      keep_part(sides, interface.points_on_second, gaps);
+    if (!sides.are_displaced())
+      note_divided_facet(sides, interface);
     (interface.points_on_second ? interface.unpaired_second :
                                   interface.unpaired) = gaps.unpaired;
     add_rows(contact, bodies, gaps, interface);

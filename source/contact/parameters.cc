@@ -326,6 +326,12 @@ namespace lamella
       Anything(),
       "Second contact surface, BODY: SURFACE, or the name of an obstacle. The "
       "contact force on this side is reported.");
+    prm.declare_entry("Where",
+                      "",
+                      Anything(),
+                      "Part of the surfaces with constraints: a condition in "
+                      "x, y, z of the scene, such as y > 30, for elements of "
+                      "the slave side by their centers. Empty: everywhere.");
     prm.declare_entry(
       "Discretization",
       name_of(Discretization::automatic),
@@ -402,6 +408,8 @@ namespace lamella
     contact.tolerance = parse_tolerance(in["Tolerance"]);
     contact.friction  = parse_friction(in["Friction"]);
     contact.adhesive  = parse_adhesive(in, contact);
+    if (const Entry where = in["Where"]; !where.is_empty())
+      contact.where = std::make_shared<const Expression>(where.text(), where);
     check_tie(contact, in);
     return contact;
   }

@@ -75,6 +75,8 @@ namespace lamella
       {
         for (const Cell &cell : hats.cells())
           {
+            if (!sides.part.empty() && !sides.part[cell.number])
+              continue;
             hats.add_full_areas(cell);
             if (sides.master_mesh != nullptr)
               add_cell(cell);

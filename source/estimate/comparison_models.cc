@@ -212,7 +212,8 @@ namespace lamella
                    friction,
                    is_automatic,
                    part_of,
-                   adhesive]                          = contact;
+                   adhesive,
+                   where]                             = contact;
       const auto &[kind, value]                       = penalty;
       const auto &[thickness, modulus, shear_modulus] = adhesive;
       std::string words                               = name;

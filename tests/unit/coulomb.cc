@@ -112,8 +112,7 @@ namespace
     const double strength = std::max(largest_component(force), 1e-300);
     for (unsigned int i = 0; i < v.size(); ++i)
       {
-        const double n    = force[i][0],
-                     t    = tangential_norm(force[i]),
+        const double n = force[i][0], t = tangential_norm(force[i]),
                      slip = tangential_norm(v[i]);
         const bool stays  = t < mu * n - 1e-7 * strength;
         worst             = std::max({worst,
@@ -239,7 +238,7 @@ BOOST_AUTO_TEST_CASE(rows_that_depend_on_each_other)
             W(i, j) += x[i] * x[j];
         }
     }
-  problem.q        = W.by_points(q);
+  problem.q = W.by_points(q);
   problem.law.assign(40, law_with(0.4, true));
   const auto found = solve_coulomb(problem, PointVectors(40));
   BOOST_TEST(largest_component(found.force) > 0.);

@@ -5,6 +5,7 @@
 
 #include <lamella/base/linear_algebra.h>
 #include <lamella/base/names.h>
+#include <lamella/conditions/expression.h>
 #include <lamella/conditions/load_factor.h>
 #include <lamella/conditions/region.h>
 
@@ -316,6 +317,9 @@ namespace lamella
     /// contact of the surfaces, in whose output it is included; else empty.
     std::optional<unsigned int> part_of;
     Adhesive                    adhesive; ///< Adhesive layer of tied surfaces.
+    /// Part of the slave surface with constraints: facets at whose center the
+    /// expression is not zero; null for all.
+    std::shared_ptr<const Expression> where;
 
     /// Returns true if constraints have slips: with friction, and of ties.
     bool

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace lamella
@@ -86,6 +87,16 @@ namespace lamella
     /// Returns the first or @p second surface; null for an obstacle.
     const MeshSurface *
     surface(const bool second) const;
+
+    /// Returns the facets of the first or @p second surface in the part
+    /// ContactPair::where of the undeformed body; empty if that is all.
+    std::vector<bool>
+    facets_of_part(const bool second) const;
+
+    /// Returns the center of a facet of the first or @p second surface that the
+    /// boundary of the part crosses, or an empty optional.
+    std::optional<dealii::Point<3>>
+    divided_facet(const bool second) const;
 
     /// Returns the obstacle at its current position; null between two bodies.
     std::shared_ptr<const Obstacle>

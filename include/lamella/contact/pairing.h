@@ -157,6 +157,8 @@ namespace lamella
     const MasterSurface *master      = nullptr; ///< Master surface or obstacle.
     const MeshSurface   *master_mesh = nullptr; ///< Mesh of master, or null.
     double search_radius = 0.; ///< Search radius along the normal [length].
+    /// Slave facets with constraints; empty: all.
+    std::vector<bool> part = {};
     /// True for edge contact: gaps are measured along normals of the master
     /// mesh (closest_point_projection()). False: along the averaged normal.
     bool   edge_contact       = false;
