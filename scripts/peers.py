@@ -289,11 +289,14 @@ def read_static(run, folder, meaning):
             factor * support[axis]["load"] if axis in support else 0.
             for c, axis in enumerate("xyz")]
     for name, contact in meaning["contacts"].items():
-        # No table while nothing touches.
+        # No table of *TIE, and while nothing touches.
+        if contact["tied"] and ("statistics", contact["slave"]) not in tables:
+            continue
         table = tables.get(("statistics", contact["slave"]), (0, [[0.] * 3]))[1]
         sign = 1. if contact["slave_is_second"] else -1.
         run.contacts[name] = [sign * force for force in table[0][:3]]
-    run.failure = contact_that_pulls(tables)
+    if not any(contact["tied"] for contact in meaning["contacts"].values()):
+        run.failure = contact_that_pulls(tables)
 
 
 def read_results(run, folder, meaning):

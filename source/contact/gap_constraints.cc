@@ -163,6 +163,25 @@ namespace lamella
 
 
 
+    /// Throws InputError if the slave surface has no facet in the part.
+    void
+    check_part(const ContactSides &at, const ContactInterface &interface)
+    {
+      const std::vector<bool> part =
+        at.facets_of_part(interface.points_on_second);
+      if (!part.empty() &&
+          std::find(part.begin(), part.end(), true) == part.end())
+        throw InputError(
+          "Contact " + interface.name + "/Where",
+          at.contact().where->as_text(),
+          "contact.empty-part: the condition holds at the center "
+          "of no element of the slave side",
+          "Check the condition; x, y, z are coordinates of the "
+          "scene. Or use shorter elements.");
+    }
+
+
+
     /// A note if Where cuts through elements.
     void
     note_divided_facet(const ContactSides &at, ContactInterface &interface)
@@ -502,6 +521,7 @@ namespace lamella
                               bodies[contact.second.body]->name();
 
     Gaps gaps = find_gaps(sides, search_radius, interface);
+    check_part(sides, interface);
     if (!sides.are_displaced())
       check_no_penetration(contact, bodies, interface.points_on_second, gaps);
     if (gaps.gaps.empty())

@@ -3,7 +3,7 @@
 """Solves exported decks with CalculiX and holds them against Lamella's hexahedra on
 the same mesh, and both against closed forms.
 
-Usage: check_ccx.py LAMELLA laminate|blocks|roller|rubbed|modes WORKDIR
+Usage: check_ccx.py LAMELLA laminate|blocks|roller|rubbed|bonded|modes WORKDIR
 
 Tolerances: on the same mesh C3D20R has 20
 nodes and reduced integration where solid-2 has 27 and full integration; both
@@ -111,6 +111,21 @@ def check_rubbed(peers, folder):
             check(b[0] < -0.01 * largest, "it is not where it was")
 
 
+def check_bonded(peers, folder):
+    """Ties (*TIE) and adhesive layers (tied contact of a stiffness)."""
+    layer = ["Contact bond/Adhesive thickness=0.1", "Contact bond/Adhesive moduli=100, 40"]
+    for change in ([], layer):
+        ours = solved(peers.lamella_run(HERE / "bonded.prm", change, folder))
+        theirs = solved(peers.peer_run(HERE / "bonded.prm", change, folder=folder))
+        for probe in ("p", "q", "r"):
+            for name in ("ux", "uz"):
+                same(theirs.probes[probe][name], ours.probes[probe][name], 0.01,
+                     f"{change}: {name} of {probe}")
+        for c, force in enumerate((-6., -30., 6.)):
+            check(abs(theirs.supports["left"][c] + theirs.supports["left2"][c] - force) <
+                  1e-4, f"reaction {c}")
+
+
 def check_modes(peers, folder):
     """Frequencies and buckling factors agree to the 0.5 % of doc/verification/calculix-modes.md.
     Without their contact the strips would have each of the modes of one strip twice."""
@@ -145,10 +160,10 @@ def main(program, case, folder):
     import peers
     check(peers.find_ccx() is not None, peers.MISSING)
     {"laminate": check_laminate, "blocks": check_blocks, "roller": check_roller,
-     "rubbed": check_rubbed, "modes": check_modes}[case](peers, folder)
+     "rubbed": check_rubbed, "bonded": check_bonded, "modes": check_modes}[case](peers, folder)
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 4:
-        sys.exit("Usage: check_ccx.py LAMELLA laminate|blocks|roller|rubbed|modes WORKDIR")
+        sys.exit("Usage: check_ccx.py LAMELLA laminate|blocks|roller|rubbed|bonded|modes WORKDIR")
     main(Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3]))

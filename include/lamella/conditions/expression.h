@@ -72,6 +72,13 @@ namespace lamella
     double
     operator()(const dealii::Point<3> &x) const;
 
+    /// Returns the expression, as given.
+    const std::string &
+    as_text() const
+    {
+      return text;
+    }
+
     /// Returns true if the function is constant: x, y, z do not occur.
     bool
     is_constant() const

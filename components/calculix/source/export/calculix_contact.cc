@@ -312,10 +312,46 @@ namespace lamella
 
 
 
+    /// The lines that say how @p pair acts between the surfaces @p slave and @p
+    /// master, under the @p name; @p stiffness is that of contact.
+    std::string
+    law_between(const ContactPair &pair,
+                const std::string &name,
+                const std::string &slave,
+                const std::string &master,
+                const double       stiffness)
+    {
+      const Adhesive   &layer = pair.adhesive;
+      const std::string sides = slave + ", " + master + "\n";
+      if (pair.enforcement == Enforcement::tied && layer.thickness == 0.)
+        return "*TIE, NAME=" + name + ", ADJUST=NO\n" + sides;
+      const std::string begin = "*SURFACE INTERACTION, NAME=" + name +
+                                "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=",
+                        end = "*CONTACT PAIR, INTERACTION=" + name +
+                              ", TYPE=SURFACE TO SURFACE\n" + sides;
+      // Of tied contact the coefficient of friction is without effect.
+      if (pair.enforcement == Enforcement::tied)
+        return begin + "TIED\n" +
+               calculix_number(layer.modulus / layer.thickness) +
+               "\n*FRICTION\n1., " +
+               calculix_number(layer.shear_modulus / layer.thickness) + "\n" +
+               end;
+      return remark(pair) + begin + "LINEAR\n" + calculix_number(stiffness) +
+             "\n" + friction(pair.friction, stiffness) + end;
+    }
+
+
+
     /// Throws InputError for what a deck cannot say.
     void
     check_law(const ContactPair &pair, const std::string &path)
     {
+      if (pair.where != nullptr)
+        throw InputError(path + "/Where",
+                         "",
+                         "export.part-of-surface: contacts on a part of the "
+                         "surfaces are not exported",
+                         "Divide the body, or remove Where.");
       if (pair.overclosure == Overclosure::adjust)
         throw InputError(
           path + "/Overclosure",
@@ -458,14 +494,8 @@ namespace lamella
              << (contact.slave_is_second ? "second" : "first") << " side\n";
         write_surface(deck, slave, contact.slave);
         write_surface(deck, master, contact.master);
-        deck << remark(scene.contacts[k])
-             << "*SURFACE INTERACTION, NAME=" << name
-             << "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n"
-             << calculix_number(contact.stiffness) << '\n'
-             << friction(scene.contacts[k].friction, contact.stiffness)
-             << "*CONTACT PAIR, INTERACTION=" << name
-             << ", TYPE=SURFACE TO SURFACE\n"
-             << slave << ", " << master << '\n';
+        deck << law_between(
+          scene.contacts[k], name, slave, master, contact.stiffness);
       }
   }
 
@@ -492,7 +522,9 @@ namespace lamella
   CalculixContacts::write_output(std::ostream &deck) const
   {
     for (unsigned int k = 0; k < list.size(); ++k)
-      deck << "*CONTACT PRINT, SLAVE=" << surface_name(k, true)
-           << ", MASTER=" << surface_name(k, false) << "\nCF, CSTR\n";
+      if (const ContactPair &pair = scene.contacts[k];
+          pair.enforcement != Enforcement::tied || pair.adhesive.thickness > 0.)
+        deck << "*CONTACT PRINT, SLAVE=" << surface_name(k, true)
+             << ", MASTER=" << surface_name(k, false) << "\nCF, CSTR\n";
   }
 } // namespace lamella

@@ -366,6 +366,7 @@ namespace lamella
                           {"slave", CalculixContacts::surface_name(k, true)},
                           {"master", CalculixContacts::surface_name(k, false)},
                           {"slave_is_second", contact.slave_is_second},
+                          {"tied", scene.contacts[k].enforcement == Enforcement::tied},
                           {"stiffness", contact.stiffness}};
           }
         return json;
