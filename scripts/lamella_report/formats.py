@@ -133,7 +133,8 @@ class Units:
         `fz`, `mx`, `x`, `pressure`, `width`, `frequency`. Empty where there is none."""
         if name == "frequency":
             return "[Hz]"
-        kind = {"pressure": "stress", "width": "length", "dissipated": "moment"}.get(name)
+        kind = {"pressure": "stress", "width": "length", "dissipated": "moment",
+                "peel": "stress", "shear": "stress"}.get(name)
         if kind is None and 0 < len(name) <= 3:
             kind = {"u": "length", "x": "length", "y": "length", "z": "length",
                     "s": "stress", "f": "force", "m": "moment"}.get(name[0])

@@ -285,4 +285,30 @@ namespace lamella
         area += rows[i].force > 0. ? shares[i] * rows[i].area : 0.;
     return area > 0. ? force / area : 0.;
   }
+
+
+
+  double
+  ContactPatch::peel() const
+  {
+    double      largest = 0.;
+    const auto &rows    = traction.rows();
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (shares[i] > 0.)
+        largest = std::max(largest, -rows[i].force / rows[i].area);
+    return largest;
+  }
+
+
+
+  double
+  ContactPatch::shear() const
+  {
+    double      largest = 0.;
+    const auto &rows    = traction.rows();
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (shares[i] > 0.)
+        largest = std::max(largest, rows[i].shear.norm() / rows[i].area);
+    return largest;
+  }
 } // namespace lamella

@@ -311,15 +311,16 @@ namespace lamella
         {
           const double gap = interface.rows[k].initial_gap;
           if (std::abs(gap) > negligible * interface.points[k].spacing)
-            throw InputError("Contact " + contact.name + "/Enforcement",
-                             name_of(contact.enforcement),
-                             "contact.tied-apart: the surfaces are " +
-                               to_text(std::abs(gap), 3) +
-                               (gap > 0. ? " apart at " :
-                                           " into each other at ") +
-                               to_text(interface.points[k].first) +
-                               ", and only surfaces that touch can be tied",
-                             "Move one of the bodies (Origin).");
+            throw InputError(
+              "Contact " + contact.name + "/Enforcement",
+              name_of(contact.enforcement),
+              "contact.tied-apart: the surfaces are " +
+                to_text(std::abs(gap), 3) +
+                (gap > 0. ? " apart at " : " into each other at ") +
+                to_text(interface.points[k].first) +
+                ", and only surfaces that touch can be tied",
+              "Move one of the bodies (Origin). An adhesive has no "
+              "volume: leave no room for its thickness.");
           interface.rows[k].initial_gap = 0.;
         }
     }

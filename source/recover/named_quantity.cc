@@ -116,8 +116,14 @@ namespace lamella
     const std::vector<std::string> &
     contact_quantity_names()
     {
-      static const std::vector<std::string> names{
-        "pressure", "width", "width x", "width y", "width z", "dissipated"};
+      static const std::vector<std::string> names{"pressure",
+                                                  "width",
+                                                  "width x",
+                                                  "width y",
+                                                  "width z",
+                                                  "dissipated",
+                                                  "peel",
+                                                  "shear"};
       return names;
     }
 

@@ -167,6 +167,10 @@ namespace lamella
     const ContactPatch patch(traction, quantity.strip);
     if (column == "pressure")
       return patch.pressure();
+    if (column == "peel")
+      return patch.peel();
+    if (column == "shear")
+      return patch.shear();
     return column == "width" ? patch.width() : patch.width(column.back() - 'x');
   }
 

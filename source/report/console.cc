@@ -4,6 +4,7 @@
 #include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
+#include <lamella/contact/contact_patch.h>
 #include <lamella/recover/sampler.h>
 #include <lamella/report/console.h>
 #include <lamella/report/goals_table.h>
@@ -130,8 +131,17 @@ namespace lamella
             << to_text(*kkt.obstacle_displacement) << length;
       if (contact.is_tied())
         {
-          out << "\n    ties hold to " << to_text(kkt.law_error, 2) << length
-              << "\n";
+          if (!results.last().contacts.empty())
+            {
+              const ContactTraction traction =
+                traction_of(contact, results.last().contacts[k]);
+              const ContactPatch patch(traction);
+              const std::string  stress = unit(results.units.stress);
+              out << "\n    largest peel " << to_text(patch.peel(), 4) << stress
+                  << ", largest shear " << to_text(patch.shear(), 4) << stress;
+            }
+          out << "\n    error of the tie " << to_text(kkt.law_error, 2)
+              << length << "\n";
           return;
         }
       out << "\n    penetration " << to_text(kkt.max_penetration, 3) << length

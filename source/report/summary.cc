@@ -69,6 +69,12 @@ namespace lamella
         {
           const ContactTraction traction = traction_of(contact, points[k]);
           const ContactPatch    patch(traction);
+          if (contact.is_tied())
+            {
+              json["peel"]  = patch.peel();
+              json["shear"] = patch.shear();
+              return json;
+            }
           json["pressure"] = patch.pressure();
           json["width"]    = patch.width();
         }

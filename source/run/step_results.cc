@@ -111,7 +111,7 @@ namespace lamella
                contact.rows[k].gap(solved.state.u, solved.load_factor),
                forces.normal[k],
                solved.checks.contacts[c].of_rows[k]});
-            if (forces.shear.size() > 0 && !contact.rows[k].slips.empty())
+            if (contact.rows[k].friction > 0. || contact.rows[k].is_tied())
               rows.back().friction = {
                 forces.shear[k],
                 forces.slips(k),

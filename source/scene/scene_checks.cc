@@ -53,21 +53,38 @@ namespace lamella
 
 
 
-    /// Throws InputError for dissipation of a contact without friction.
+    /// Throws InputError for dissipation of a contact without friction, for the
+    /// contact area of a tie, and for peel and shear of a contact that is none.
     void
-    check_dissipated(const Scene &scene)
+    check_contact_columns(const Scene &scene)
     {
       for (const auto *quantities :
            {&scene.goals.quantities, &scene.trade.quantities})
         for (const NamedQuantity &quantity : *quantities)
           for (const ContactPair &contact : scene.contacts)
             if (quantity.of == NamedQuantity::ObjectKind::contact &&
-                quantity.column == "dissipated" &&
-                contact.name == quantity.name && contact.friction == 0.)
-              Entry(quantity.path, quantity.label())
-                .refuse("scene.no-friction: contact " + contact.name +
-                          " has no friction",
-                        "Write Friction there, or remove this quantity.");
+                contact.name == quantity.name)
+              {
+                const Entry        entry(quantity.path, quantity.label());
+                const std::string &column = quantity.column;
+                const bool is_tied = contact.enforcement == Enforcement::tied;
+                if (column == "dissipated" && contact.friction == 0.)
+                  entry.refuse(
+                    "scene.no-friction: contact " + contact.name +
+                      " has no friction",
+                    "Write Friction there, or remove this quantity.");
+                if (is_tied &&
+                    (column == "pressure" || column.rfind("width", 0) == 0))
+                  entry.refuse(
+                    "scene.area-of-tie: the surfaces of a tie have no "
+                    "contact area that depends on the load",
+                    "Use peel, shear, or the forces fx, fy, fz.");
+                if (!is_tied && (column == "peel" || column == "shear"))
+                  entry.refuse(
+                    "scene.peel-without-tie: contact " + contact.name +
+                      " is not tied",
+                    "Write Enforcement = tied there, or use pressure.");
+              }
     }
   } // namespace
 
@@ -107,7 +124,7 @@ namespace lamella
   void
   check_friction(const Scene &scene, const Entries &in)
   {
-    check_dissipated(scene);
+    check_contact_columns(scene);
     const ContactPair *const contact = first_with_friction(scene);
     if (contact == nullptr)
       {

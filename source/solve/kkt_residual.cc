@@ -240,12 +240,15 @@ namespace lamella
       double all = 0.;
       for (unsigned int k = 0; k < contact.rows.size(); ++k)
         all += forces.magnitude(k);
+      // Forces of ties may cancel in their resultant.
+      on_body[contact.first_body].at_least(all);
       if (contact.second_body.has_value())
         {
           BodyForces &second     = on_body[*contact.second_body];
           on_second              = wrenches_of_rows(contact, forces, 1, second);
           const Wrench of_second = sum(on_second);
           second.add(of_second);
+          second.at_least(all);
           if (all != 0.)
             kkt.imbalance = (of_first.force + of_second.force).norm() / all;
         }

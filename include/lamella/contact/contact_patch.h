@@ -66,6 +66,16 @@ namespace lamella
     double
     pressure() const;
 
+    /// Returns the largest tension -lambda_i / A_i of contact points in the
+    /// strip, zero if there is none [force / length^2]: the peel stress of a
+    /// tie.
+    double
+    peel() const;
+
+    /// Returns the largest shear traction |lambda_t,i| / A_i in the strip.
+    double
+    shear() const;
+
   private:
     /// Interval of a line, in the coordinate along it [length].
     struct Interval
