@@ -252,4 +252,63 @@ namespace lamella
         "linear kinematics. Refine the mesh, or use Rotations = large");
     return notes;
   }
+
+
+
+  namespace
+  {
+    /// Closes the gaps of ties; throws InputError if the surfaces are apart.
+    void
+    close_ties(const ContactPair &contact, ContactInterface &interface)
+    {
+      // Rotations times the distance of tied points are relative displacements:
+      // beside the spacing of points, a gap is an error of this size.
+      constexpr double negligible = 1e-3;
+      for (unsigned int k = 0; k < interface.rows.size(); ++k)
+        {
+          const double gap = interface.rows[k].initial_gap;
+          if (std::abs(gap) > negligible * interface.points[k].spacing)
+            throw InputError(
+              "Contact " + contact.name + "/Enforcement",
+              name_of(contact.enforcement),
+              "contact.tied-apart: the surfaces are " +
+                to_text(std::abs(gap), 3) +
+                (gap > 0. ? " apart at " : " into each other at ") +
+                to_text(interface.points[k].first) +
+                ", and only surfaces that touch can be tied",
+              "Move one of the bodies (Origin). An adhesive has no "
+              "volume: leave no room for its thickness.");
+          interface.rows[k].initial_gap = 0.;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  treat_initial_gaps(const ContactPair &contact, ContactInterface &interface)
+  {
+    if (contact.is_tied())
+      return close_ties(contact, interface);
+    Assert(contact.overclosure != Overclosure::undefined,
+           ExcMessage("What becomes of an overlap was never set."));
+    if (contact.overclosure == Overclosure::resolve)
+      return;
+    unsigned int deepest = 0;
+    for (unsigned int k = 0; k < interface.rows.size(); ++k)
+      if (interface.rows[k].initial_gap < interface.rows[deepest].initial_gap)
+        deepest = k;
+    const double gap = interface.rows[deepest].initial_gap;
+    if (gap < 0. && contact.overclosure == Overclosure::refuse)
+      throw InputError(
+        "Contact " + contact.name + "/Overclosure",
+        name_of(contact.overclosure),
+        "contact.initial-overlap: the bodies overlap at the start by up to " +
+          to_text(-gap) + ", at " + to_text(interface.points[deepest].first),
+        "Move the bodies apart (Origin), or write Overclosure = resolve "
+        "(contact forces push the bodies apart) or adjust (the overlap is "
+        "subtracted from the gaps).");
+    for (GapConstraint &row : interface.rows)
+      row.initial_gap = std::max(0., row.initial_gap);
+  }
 } // namespace lamella

@@ -71,7 +71,7 @@ namespace lamella
     {
       const Entry thickness = in["Adhesive thickness"],
                   moduli    = in["Adhesive moduli"];
-      const bool is_tied    = contact.enforcement == Enforcement::tied;
+      const bool is_tied    = contact.is_tied();
       for (const Entry &entry : {thickness, moduli})
         if (!entry.is_empty() && !is_tied)
           entry.refuse("contact.adhesive-without-tie: only tied surfaces have "
@@ -98,7 +98,7 @@ namespace lamella
     void
     check_tie(const ContactPair &contact, const Entries &in)
     {
-      if (contact.enforcement != Enforcement::tied)
+      if (!contact.is_tied())
         return;
       if (contact.obstacle != nullptr)
         in["Enforcement"].refuse(

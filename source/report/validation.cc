@@ -348,9 +348,7 @@ namespace lamella
       print_load(out, load, structure.size(), units);
     for (const ContactInterface &contact : contacts)
       out << "Contact " << contact.name << ": " << contact.rows.size()
-          << (!contact.rows.empty() && contact.rows.front().is_tied() ?
-                " tied pairs, " :
-                " pairs that may touch, ")
+          << (contact.is_tied() ? " tied pairs, " : " pairs that may touch, ")
           << name_of(contact.discretization)
           << (contact.unpaired == 0 ? "" :
                                       ", " + std::to_string(contact.unpaired) +

@@ -66,8 +66,8 @@ namespace lamella
                 contact.name == quantity.name)
               {
                 const Entry        entry(quantity.path, quantity.label());
-                const std::string &column = quantity.column;
-                const bool is_tied = contact.enforcement == Enforcement::tied;
+                const std::string &column  = quantity.column;
+                const bool         is_tied = contact.is_tied();
                 if (column == "dissipated" && contact.friction == 0.)
                   entry.refuse(
                     "scene.no-friction: contact " + contact.name +

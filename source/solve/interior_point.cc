@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 // Primal-dual interior point method for contact with Coulomb friction (Nocedal
 // and Wright, Numerical Optimization, Springer 2006, Ch. 16 and 19). Each step:
@@ -114,9 +116,33 @@ namespace lamella
       }
 
     private:
-      /// Sets the starting point: all points connected by soft springs.
+      /// Returns true for tied points.
+      bool
+      holds(const unsigned int i) const
+      {
+        return points.law[i]->is_bilateral();
+      }
+
+      /// Returns the spring of point @p i at the starting point, and its force
+      /// at the gap and slips @p v.
       // Springs of stiffness k, a fraction of the local stiffness of the
       // bodies, push penetrating points apart with k max(0, -v_n).
+      std::pair<SymmetricTensor<2, 3>, Tensor<1, 3>>
+      first_spring(const unsigned int i, const Tensor<1, 3> &v) const
+      {
+        if (holds(i))
+          return {stiffness_of_tie(i), -(stiffness_of_tie(i) * v)};
+        std::pair<SymmetricTensor<2, 3>, Tensor<1, 3>> spring;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            spring.first[c][c] = points.spring[i] / (unit[i][0] * unit[i][0]);
+            spring.second[c]   = points.about[i][c] / unit[i][c];
+          }
+        spring.second[0] += spring.first[0][0] * std::max(0., -v[0]);
+        return spring;
+      }
+
+      /// Sets the starting point: all points connected by soft springs.
       void
       begin()
       {
@@ -124,46 +150,27 @@ namespace lamella
         PointStiffness springs(n);
         PointVectors   v = gaps();
         for (unsigned int i = 0; i < n; ++i)
-          {
-            if (points.law[i]->is_bilateral())
-              {
-                springs[i] = stiffness_of_tie(i);
-                pushed[i]  = -(springs[i] * v[i]);
-                continue;
-              }
-            for (unsigned int c = 0; c < 3; ++c)
-              {
-                pushed[i][c]     = points.about[i][c] / unit[i][c];
-                springs[i][c][c] = points.spring[i] / (unit[i][0] * unit[i][0]);
-              }
-            pushed[i][0] += springs[i][0][0] * std::max(0., -v[i][0]);
-          }
+          std::tie(springs[i], pushed[i]) = first_spring(i, v[i]);
         factorize(springs);
         const PointVectors moved = solution(pushed);
         system.advance(1.);
         v = gaps();
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            if (points.law[i]->is_bilateral())
-              continue;
-            length_scale = std::max(length_scale, std::abs(v[i][0]));
-            force_scale =
-              std::max(force_scale,
-                       pushed[i][0] - springs[i][0][0] * moved[i][0]);
-          }
         force.assign(n, {});
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
-              {
-                force[i] = pushed[i] - springs[i] * moved[i];
-                slack.push_back(0.);
-                gamma.push_back(0.);
-                continue;
-              }
+            force[i] = pushed[i] - springs[i] * moved[i];
+            if (holds(i))
+              continue;
+            length_scale = std::max(length_scale, std::abs(v[i][0]));
+            force_scale  = std::max(force_scale, force[i][0]);
+          }
+        for (unsigned int i = 0; i < n; ++i)
+          {
             const double least = parameters.first_gap * length_scale;
+            if (!holds(i))
+              force[i] =
+                Tensor<1, 3>({parameters.first_force * force_scale, 0., 0.});
             slack.push_back(std::max(v[i][0], least));
-            force[i][0] = parameters.first_force * force_scale;
             gamma.push_back(least / force[i][0]);
           }
       }
@@ -184,7 +191,7 @@ namespace lamella
         std::vector<double> normal, shear;
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
+            if (holds(i))
               {
                 residual[i] = v[i] + invert(stiffness_of_tie(i)) * force[i];
                 continue;
@@ -291,7 +298,7 @@ namespace lamella
       SymmetricTensor<2, 3>
       stiffness_of_tie(const unsigned int i) const
       {
-        constexpr double      compliance_of_tie = 1e-6;
+        constexpr double      compliance_of_tie = 1e-3;
         SymmetricTensor<2, 3> D;
         for (unsigned int c = 0; c < 3; ++c)
           D[c][c] = 1. / (compliance_of_tie + compliance(i, c));
@@ -304,7 +311,7 @@ namespace lamella
         PointStiffness D(n);
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
+            if (holds(i))
               {
                 D[i] = stiffness_of_tie(i);
                 continue;
@@ -325,58 +332,61 @@ namespace lamella
         return D;
       }
 
-      /// Returns the Newton direction to the products @p normal_target and
-      /// @p shear_target, less the second-order terms @p correction of the
-      /// normal products (empty: none).
+      /// Products to which a Newton direction leads, and second-order terms of
+      /// the normal products (empty: none).
+      struct Target
+      {
+        double              normal, shear;
+        std::vector<double> correction;
+      };
+
+      /// Returns the change of the force of point @p i towards @p target if gap
+      /// and slips do not change; @p q is that of the tangential equations.
+      Tensor<1, 3>
+      change_at_rest(const unsigned int           i,
+                     const SymmetricTensor<2, 3> &D,
+                     const Target                &target,
+                     const double                 q) const
+      {
+        if (holds(i))
+          return -(D * residual[i]);
+        Tensor<1, 3> change;
+        if (has_shear[i])
+          change = -(D * tangential_part(residual[i] + q * force[i]));
+        const double lambda = force[i][0], s = slack[i];
+        change[0] = (target.normal - s * lambda - lambda * residual[i][0] -
+                     (target.correction.empty() ? 0. : target.correction[i])) /
+                    (s + compliance(i, 0) * lambda);
+        return change;
+      }
+
+      /// Returns the Newton direction to @p target.
       // The forces follow from the change w of gap and slips by
       //   dlambda_n = (sigma - s lambda_n - lambda_n (v_n - s)) / (s + d
       //               lambda_n) - D_n w_n,
       //   dlambda_t = -D_t (v_t + gamma lambda_t + q lambda_t + w_t),
       //   q         = (sigma b - gamma w) / w.
       Direction
-      direction(const PointStiffness      &D,
-                const double               normal_target,
-                const double               shear_target,
-                const std::vector<double> &correction)
+      direction(const PointStiffness &D, const Target &target)
       {
         Direction           step;
         std::vector<double> q(n, 0.);
-        step.force.resize(n);
-        PointVectors next = force;
+        PointVectors        next = force;
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
-              {
-                step.force[i] = -(D[i] * residual[i]);
-                next[i] += step.force[i];
-                continue;
-              }
-            const double lambda = force[i][0], s = slack[i];
-            Tensor<1, 3> away;
             if (has_shear[i])
-              {
-                q[i] = shear_target * bound[i] / room[i] - gamma[i];
-                away = tangential_part(residual[i] + q[i] * force[i]);
-              }
-            step.force[i] = -(D[i] * away);
-            step.force[i][0] =
-              (normal_target - s * lambda - lambda * residual[i][0] -
-               (correction.empty() ? 0. : correction[i])) /
-              (s + compliance(i, 0) * lambda);
+              q[i] = target.shear * bound[i] / room[i] - gamma[i];
+            step.force.push_back(change_at_rest(i, D[i], target, q[i]));
             next[i] += step.force[i];
           }
         const PointVectors w = solution(next);
         for (unsigned int i = 0; i < n; ++i)
           {
             step.force[i] -= D[i] * w[i];
-            if (points.law[i]->is_bilateral())
-              {
-                step.slack.push_back(0.);
-                step.gamma.push_back(0.);
-                continue;
-              }
-            step.slack.push_back(w[i][0] + compliance(i, 0) * step.force[i][0] +
-                                 residual[i][0]);
+            step.slack.push_back(
+              holds(i) ?
+                0. :
+                w[i][0] + compliance(i, 0) * step.force[i][0] + residual[i][0]);
             step.gamma.push_back(
               has_shear[i] ?
                 q[i] + 2. * gamma[i] / room[i] *
@@ -398,7 +408,7 @@ namespace lamella
         };
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
+            if (holds(i))
               continue;
             limit(force[i][0], step.force[i][0]);
             limit(slack[i], step.slack[i]);
@@ -422,12 +432,12 @@ namespace lamella
         constexpr double short_step = 0.1, least_sigma = 1e-4, blocked = 0.05;
         const PointStiffness D = stiffness();
         factorize(D);
-        const Direction     predictor = direction(D, 0., 0., {});
+        const Direction     predictor = direction(D, {0., 0., {}});
         const double        reach     = longest_step(predictor);
         std::vector<double> products, correction;
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (points.law[i]->is_bilateral())
+            if (holds(i))
               {
                 if (reach > short_step)
                   correction.push_back(0.);
@@ -444,11 +454,9 @@ namespace lamella
             std::max(std::pow(mean(products) / normal_product, 3),
                      least_sigma) :
             0.5;
-        const Direction corrector = direction(D,
-                                              sigma * normal_product,
-                                              sigma * shear_product,
-                                              correction);
-        const double    length    = longest_step(corrector);
+        const Direction corrector = direction(
+          D, {sigma * normal_product, sigma * shear_product, correction});
+        const double length = longest_step(corrector);
         system.advance(length);
         for (unsigned int i = 0; i < n; ++i)
           {
@@ -467,8 +475,7 @@ namespace lamella
       bool
       is_closed(const unsigned int i) const
       {
-        return points.law[i]->is_bilateral() ||
-               force[i][0] * length_scale > slack[i] * force_scale;
+        return holds(i) || force[i][0] * length_scale > slack[i] * force_scale;
       }
       /// Completes the states of the last iterate: open points get no force,
       /// slipping points the shear force of the bound, from which all iterates

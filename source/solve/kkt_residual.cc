@@ -19,12 +19,12 @@ namespace lamella
 
 
   void
-  BodyForces::add(const Wrench &about_center)
+  BodyForces::add(const Wrench &about_center, const double least)
   {
     sum.force += about_center.force;
     sum.moment += about_center.moment;
-    at_least(
-      std::max(about_center.force.norm(), about_center.moment.norm() / size));
+    at_least(std::max(
+      {least, about_center.force.norm(), about_center.moment.norm() / size}));
   }
 
 
@@ -74,6 +74,32 @@ namespace lamella
 
 
 
+    /// Adds the errors of the law in gaps and slips of a tied @p contact.
+    void
+    check_ties(const ContactInterface &contact,
+               const ConstraintForces &forces,
+               const BlockVector      &u,
+               const LoadFactor       &factor,
+               const double            displacement,
+               KktResidual            &kkt)
+    {
+      const auto add = [&kkt](const double error) {
+        kkt.law_error = std::max(kkt.law_error, std::abs(error));
+      };
+      for (unsigned int k = 0; k < contact.rows.size(); ++k)
+        {
+          const GapConstraint &row = contact.rows[k];
+          add(row.gap(u, factor) + law_compliance(row) * forces.normal[k]);
+          for (const SlipConstraint &slip : row.slips)
+            add(slip.slip(u, factor) + law_compliance(row, true) *
+                                         (slip.tangent * forces.shear_of(k)));
+        }
+      kkt.active    = contact.rows.size();
+      kkt.violation = kkt.law_error / displacement;
+    }
+
+
+
     /// What the rows say of gaps and forces, each for itself.
     void
     check_rows(const ContactInterface &contact,
@@ -89,22 +115,7 @@ namespace lamella
           const GapConstraint &row    = contact.rows[k];
           const double         lambda = forces.normal[k];
           const double         g      = row.gap(u, factor);
-          if (row.is_tied())
-            {
-              kkt.law_error =
-                std::max(kkt.law_error,
-                         std::abs(g + law_compliance(row) * lambda));
-              for (const SlipConstraint &slip : row.slips)
-                kkt.law_error =
-                  std::max(kkt.law_error,
-                           std::abs(slip.slip(u, factor) +
-                                    law_compliance(row, true) *
-                                      (slip.tangent * forces.shear_of(k))));
-              ++kkt.active;
-              kkt.violation = kkt.law_error / displacement;
-              continue;
-            }
-          kkt.max_penetration = std::max(kkt.max_penetration, -g);
+          kkt.max_penetration         = std::max(kkt.max_penetration, -g);
           kkt.law_error =
             std::max(kkt.law_error,
                      lambda == 0. ? -g :
@@ -121,7 +132,7 @@ namespace lamella
               smallest                 = std::min(smallest, lambda);
             }
         }
-      if (largest == 0.)
+      if (kkt.active == 0)
         return;
       kkt.min_force = smallest;
       kkt.violation =
@@ -236,19 +247,15 @@ namespace lamella
         wrenches_of_rows(contact, forces, 0, on_body[contact.first_body]);
       std::vector<Wrench> on_second;
       const Wrench        of_first = sum(on_first);
-      on_body[contact.first_body].add(of_first);
-      double all = 0.;
-      for (unsigned int k = 0; k < contact.rows.size(); ++k)
-        all += forces.magnitude(k);
       // Forces of ties may cancel in their resultant.
-      on_body[contact.first_body].at_least(all);
+      const double all = forces.sum_of_magnitudes();
+      on_body[contact.first_body].add(of_first, all);
       if (contact.second_body.has_value())
         {
           BodyForces &second     = on_body[*contact.second_body];
           on_second              = wrenches_of_rows(contact, forces, 1, second);
           const Wrench of_second = sum(on_second);
-          second.add(of_second);
-          second.at_least(all);
+          second.add(of_second, all);
           if (all != 0.)
             kkt.imbalance = (of_first.force + of_second.force).norm() / all;
         }
@@ -319,7 +326,9 @@ namespace lamella
                 std::vector<BodyForces> &on_body)
   {
     KktResidual kkt;
-    check_rows(contact, forces, u, factor, displacement, kkt);
+    (contact.is_tied() ?
+       check_ties :
+       check_rows)(contact, forces, u, factor, displacement, kkt);
     if (forces.shear.size() > 0)
       check_friction(contact, forces, kkt);
     add_contact_forces(contact, forces, kkt, on_body);

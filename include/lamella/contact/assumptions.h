@@ -63,6 +63,12 @@ namespace lamella
                       const BlockVector               &u,
                       const LoadFactor                &factor,
                       const std::vector<unsigned int> &active);
+
+  /// Closes the gaps of ties, and treats initial overlap of @p interface as
+  /// Overclosure of @p contact says. Throws InputError if tied surfaces are
+  /// apart, and for overlap under Overclosure::refuse.
+  void
+  treat_initial_gaps(const ContactPair &contact, ContactInterface &interface);
 } // namespace lamella
 
 #endif

@@ -321,11 +321,18 @@ namespace lamella
     /// expression is not zero; null for all.
     std::shared_ptr<const Expression> where;
 
+    /// Returns true for tied surfaces.
+    bool
+    is_tied() const
+    {
+      return enforcement == Enforcement::tied;
+    }
+
     /// Returns true if constraints have slips: with friction, and of ties.
     bool
     has_slips() const
     {
-      return friction > 0. || enforcement == Enforcement::tied;
+      return friction > 0. || is_tied();
     }
   };
 

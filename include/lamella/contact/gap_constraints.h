@@ -187,6 +187,13 @@ namespace lamella
     std::vector<GapPoint> sampled;
     /// Messages about this pairing for the user, one sentence each.
     std::vector<std::string> notes;
+
+    /// Returns true for tied surfaces.
+    bool
+    is_tied() const
+    {
+      return !rows.empty() && rows.front().is_tied();
+    }
   };
 
   /// Returns the undeformed position of the slave node of @p point or, if this

@@ -59,9 +59,10 @@ namespace lamella
       return about_center;
     }
 
-    /// Adds a force and its moment about the body center to the sum.
+    /// Adds a force and its moment about the body center to the sum; the
+    /// largest force is at least @p least.
     void
-    add(const Wrench &about_center);
+    add(const Wrench &about_center, const double least = 0.);
 
     /// Makes unbalanced() divide by a force of at least @p force.
     void
@@ -151,6 +152,16 @@ namespace lamella
     magnitude(const unsigned int k) const
     {
       return std::hypot(normal[k], shear_of(k).norm());
+    }
+
+    /// Returns the sum of magnitude() over all constraints.
+    double
+    sum_of_magnitudes() const
+    {
+      double sum = 0.;
+      for (unsigned int k = 0; k < normal.size(); ++k)
+        sum += magnitude(k);
+      return sum;
     }
 
     /// Returns true if the constraint of index @p k is active and slips.

@@ -128,20 +128,15 @@ namespace lamella
             "Constrain the body by a Support and write Stabilization = 0.");
       const std::vector<PrescribedFunctional> rows =
         prescribed_functionals(scene.supports, mesh.bodies());
-      const auto is_tied = [&](const unsigned int body) {
-        return std::any_of(scene.contacts.begin(),
-                           scene.contacts.end(),
-                           [&](const ContactPair &contact) {
-                             return contact.enforcement == Enforcement::tied &&
-                                    (contact.first.body == body ||
-                                     contact.second.body == body);
-                           });
-      };
+      const bool has_ties =
+        std::any_of(scene.contacts.begin(),
+                    scene.contacts.end(),
+                    [](const auto &pair) { return pair.is_tied(); });
       unsigned int n = 0;
       for (unsigned int body = 0; body < scene.bodies.size(); ++body)
         for (const FreeMotion &motion :
              free_rigid_motions(*mesh.bodies()[body], body, rows))
-          if (++n; has_static_steps && !is_tied(body))
+          if (++n; has_static_steps && !has_ties)
             throw InputError(
               "Body " + scene.bodies[body].name,
               "",

@@ -4,6 +4,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/body/surface_topology.h>
+#include <lamella/contact/gap_integrals.h>
 #include <lamella/export/calculix_mesh.h>
 
 #include <deal.II/base/numbers.h>
@@ -20,10 +21,9 @@ namespace lamella
 
   namespace
   {
-    constexpr double largest_angle = 2. * numbers::PI / 180.;
-    constexpr double margin        = 0.05;
-    /// Elements each way along a plane.
-    constexpr unsigned int n_along_plane = 8;
+    constexpr double       largest_angle = 2. * numbers::PI / 180.;
+    constexpr double       margin        = 0.05;
+    constexpr unsigned int n_along_plane = 8; ///< Elements each way.
 
 
 
@@ -96,26 +96,10 @@ namespace lamella
 
 
 
-    /// Any unit vector across @p n.
-    Tensor<1, 3>
-    across(const Tensor<1, 3> &n)
-    {
-      unsigned int least = 0;
-      for (unsigned int d = 1; d < 3; ++d)
-        if (std::abs(n[d]) < std::abs(n[least]))
-          least = d;
-      Tensor<1, 3> e;
-      e[least] = 1.;
-      e -= (e * n) * n;
-      return e / e.norm();
-    }
-
-
-
     ObstacleLayer
     plane_layer(const Obstacle &plane, const std::vector<Point<3>> &facing)
     {
-      const Tensor<1, 3> n = plane.direction, e = across(n),
+      const Tensor<1, 3> n = plane.direction, e = tangents_of(n)[0],
                          f = cross_product_3d(n, e);
       Range s, t;
       for (const Point<3> &x : facing)
@@ -161,11 +145,10 @@ namespace lamella
       along.widen(margin * along.length() + std::abs(u * axis));
       angle.widen(margin * angle.length() +
                   std::abs(u * side) / cylinder.radius);
-      const unsigned int n_s =
-        static_cast<unsigned int>(std::ceil(angle.length() / largest_angle));
+      const unsigned int n_s = std::ceil(angle.length() / largest_angle);
       // Ten times as long as wide.
-      const unsigned int n_t = static_cast<unsigned int>(
-        std::ceil(0.1 * along.length() / (cylinder.radius * largest_angle)));
+      const unsigned int n_t =
+        std::ceil(0.1 * along.length() / (cylinder.radius * largest_angle));
       return grid(n_s,
                   n_t,
                   [&](const double a, const double b, const double depth) {
@@ -196,10 +179,8 @@ namespace lamella
     /// What decides which side is the slave, and how stiff the contact is.
     struct SideMeasures
     {
-      /// Of a face in the mean.
-      double area = 0.;
-      /// K of automatic contact stiffness.
-      double stiffness = 0.;
+      double area = 0., ///< Mean area of a face.
+        stiffness = 0.; ///< Automatic contact stiffness K.
     };
 
 
@@ -208,13 +189,9 @@ namespace lamella
     double
     relative_stiffness(const Body &body)
     {
-      const BoundingBox<3> box      = body.bounding_box();
-      double               smallest = box.side_length(0), largest = smallest;
-      for (unsigned int d = 1; d < 3; ++d)
-        {
-          smallest = std::min(smallest, box.side_length(d));
-          largest  = std::max(largest, box.side_length(d));
-        }
+      const BoundingBox<3> box       = body.bounding_box();
+      const auto [smallest, largest] = std::minmax(
+        {box.side_length(0), box.side_length(1), box.side_length(2)});
       return 100. * std::min(1., 10. * smallest / largest);
     }
 
@@ -283,20 +260,6 @@ namespace lamella
 
 
 
-    /// What the deck does in the place of the scene's enforcement.
-    std::string
-    remark(const ContactPair &contact)
-    {
-      std::string text =
-        "** linear penalty in the place of the scene's enforcement";
-      if (contact.overclosure == Overclosure::refuse)
-        text +=
-          "; overlaps, which the scene refuses,\n** would be pushed apart";
-      return text + "\n";
-    }
-
-
-
     /// Coulomb's law with @p coefficient, where it is not zero. It sticks as a
     /// spring: shear over slip is a tenth of pressure over penetration, @p
     /// stiffness; with as much CalculiX' iterations do not end.
@@ -323,21 +286,22 @@ namespace lamella
     {
       const Adhesive   &layer = pair.adhesive;
       const std::string sides = slave + ", " + master + "\n";
-      if (pair.enforcement == Enforcement::tied && layer.thickness == 0.)
+      if (pair.is_tied() && layer.thickness == 0.)
         return "*TIE, NAME=" + name + ", ADJUST=NO\n" + sides;
       const std::string begin = "*SURFACE INTERACTION, NAME=" + name +
                                 "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=",
                         end = "*CONTACT PAIR, INTERACTION=" + name +
                               ", TYPE=SURFACE TO SURFACE\n" + sides;
       // Of tied contact the coefficient of friction is without effect.
-      if (pair.enforcement == Enforcement::tied)
+      if (pair.is_tied())
         return begin + "TIED\n" +
                calculix_number(layer.modulus / layer.thickness) +
                "\n*FRICTION\n1., " +
                calculix_number(layer.shear_modulus / layer.thickness) + "\n" +
                end;
-      return remark(pair) + begin + "LINEAR\n" + calculix_number(stiffness) +
-             "\n" + friction(pair.friction, stiffness) + end;
+      return "** linear penalty in the place of the scene's enforcement\n" +
+             begin + "LINEAR\n" + calculix_number(stiffness) + "\n" +
+             friction(pair.friction, stiffness) + end;
     }
 
 
@@ -523,7 +487,7 @@ namespace lamella
   {
     for (unsigned int k = 0; k < list.size(); ++k)
       if (const ContactPair &pair = scene.contacts[k];
-          pair.enforcement != Enforcement::tied || pair.adhesive.thickness > 0.)
+          !pair.is_tied() || pair.adhesive.thickness > 0.)
         deck << "*CONTACT PRINT, SLAVE=" << surface_name(k, true)
              << ", MASTER=" << surface_name(k, false) << "\nCF, CSTR\n";
   }

@@ -366,7 +366,7 @@ namespace lamella
                           {"slave", CalculixContacts::surface_name(k, true)},
                           {"master", CalculixContacts::surface_name(k, false)},
                           {"slave_is_second", contact.slave_is_second},
-                          {"tied", scene.contacts[k].enforcement == Enforcement::tied},
+                          {"tied", scene.contacts[k].is_tied()},
                           {"stiffness", contact.stiffness}};
           }
         return json;
