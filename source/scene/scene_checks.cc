@@ -76,12 +76,12 @@ namespace lamella
                 if (is_tied &&
                     (column == "pressure" || column.rfind("width", 0) == 0))
                   entry.refuse(
-                    "scene.area-of-tie: the surfaces of a tie have no "
+                    "contact.area-of-tie: the surfaces of a tie have no "
                     "contact area that depends on the load",
                     "Use peel, shear, or the forces fx, fy, fz.");
                 if (!is_tied && (column == "peel" || column == "shear"))
                   entry.refuse(
-                    "scene.peel-without-tie: contact " + contact.name +
+                    "contact.peel-without-tie: contact " + contact.name +
                       " is not tied",
                     "Write Enforcement = tied there, or use pressure.");
               }
