@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/mesh_surface.h>
 
 #include <cmath>
 

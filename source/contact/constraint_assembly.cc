@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/constraint_assembly.h>
+#include <lamella/contact/contact.h>
 
 #include <algorithm>
 #include <set>

@@ -3,7 +3,6 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/contact/contact.h>
-#include <lamella/contact/pass_through.h>
 #include <lamella/contact/search_check.h>
 
 #include <algorithm>

@@ -5,9 +5,7 @@
 #include <lamella/base/text.h>
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/gap_constraints.h>
-#include <lamella/contact/node_pairs.h>
 #include <lamella/contact/pairing.h>
-#include <lamella/contact/weighted_gaps.h>
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@
 // Both sides have the same sums of weights: sum_j w_ij = sum_k w_ik = mean n,
 // so contact forces balance (action and reaction).
 
-#include <lamella/contact/closest_point_projection.h>
 #include <lamella/contact/gap_integrals.h>
+#include <lamella/contact/mesh_surface.h>
 
 #include <cmath>
 

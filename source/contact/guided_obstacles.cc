@@ -7,7 +7,7 @@
 #include <lamella/body/parameters.h>
 #include <lamella/body/second_order.h>
 #include <lamella/body/surface_topology.h>
-#include <lamella/contact/guided_obstacles.h>
+#include <lamella/contact/parameters.h>
 
 #include <algorithm>
 

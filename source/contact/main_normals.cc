@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/main_normals.h>
+#include <lamella/contact/assumptions.h>
 
 #include <algorithm>
 #include <array>

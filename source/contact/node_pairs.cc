@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/contact/node_pairs.h>
+#include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/pairing.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/search.h>
 #include <lamella/contact/segments.h>

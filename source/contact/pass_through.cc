@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/contact/closest_point_projection.h>
+#include <lamella/contact/contact.h>
+#include <lamella/contact/mesh_surface.h>
 #include <lamella/contact/pairing.h>
-#include <lamella/contact/pass_through.h>
 
 #include <algorithm>
 #include <array>

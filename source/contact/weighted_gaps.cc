@@ -3,8 +3,8 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/inverse_map.h>
 #include <lamella/contact/multiplier_basis.h>
+#include <lamella/contact/pairing.h>
 #include <lamella/contact/segments.h>
-#include <lamella/contact/weighted_gaps.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

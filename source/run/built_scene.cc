@@ -6,8 +6,7 @@
 #include <lamella/base/text.h>
 #include <lamella/conditions/isostatic_support.h>
 #include <lamella/contact/assumptions.h>
-#include <lamella/contact/guided_obstacles.h>
-#include <lamella/contact/main_normals.h>
+#include <lamella/contact/parameters.h>
 #include <lamella/run/built_scene.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/scene/scene_checks.h>

@@ -4,7 +4,7 @@
 #include <lamella/base/text.h>
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/find_modes.h>
-#include <lamella/solve/harmonic_response.h>
+#include <lamella/solve/modes.h>
 #include <lamella/solve/small_motions.h>
 
 #include <complex>

@@ -5,7 +5,7 @@
 #include <lamella/recover/named_quantity.h>
 #include <lamella/run/step_results.h>
 #include <lamella/scene/rotation_rules.h>
-#include <lamella/solve/solution_check.h>
+#include <lamella/solve/checks.h>
 
 #include <algorithm>
 #include <cmath>

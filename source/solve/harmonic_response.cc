@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/entry.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/harmonic_response.h>
+#include <lamella/solve/modes.h>
 #include <lamella/solve/small_motions.h>
 
 #include <deal.II/base/numbers.h>

@@ -18,7 +18,6 @@
 #include <lamella/solve/contact_problem.h>
 #include <lamella/solve/dense_interface_system.h>
 #include <lamella/solve/interface_solver.h>
-#include <lamella/solve/interior_point.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/solve/interior_point.h>
+#include <lamella/solve/interface_solver.h>
 
 #include <algorithm>
 #include <cmath>

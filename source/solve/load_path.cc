@@ -3,10 +3,9 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/load_path.h>
-#include <lamella/solve/nonlinearity_estimate.h>
 #include <lamella/solve/phase.h>
-#include <lamella/solve/solution_check.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/nonlinearity_estimate.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/small_motions.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/solve/solution_check.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/tangent_operator.h>
 
 #include <algorithm>

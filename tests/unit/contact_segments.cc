@@ -7,8 +7,8 @@
 #include "contact_fixtures.h"
 
 #include <lamella/body/surface_topology.h>
+#include <lamella/contact/pairing.h>
 #include <lamella/contact/segments.h>
-#include <lamella/contact/weighted_gaps.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,7 +7,6 @@
 #include <lamella/linear/dense_factors.h>
 #include <lamella/solve/dense_interface_system.h>
 #include <lamella/solve/interface_solver.h>
-#include <lamella/solve/interior_point.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,8 +11,8 @@
 #include <lamella/body/total_lagrangian_solid.h>
 #include <lamella/conditions/follower_load.h>
 #include <lamella/material/material.h>
+#include <lamella/solve/checks.h>
 #include <lamella/solve/nonlinear_solver.h>
-#include <lamella/solve/nonlinearity_estimate.h>
 
 #include <deal.II/physics/transformations.h>
 

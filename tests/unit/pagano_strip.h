@@ -8,7 +8,6 @@
 
 #include <lamella/solve/checks.h>
 #include <lamella/solve/linear_system.h>
-#include <lamella/solve/solution_check.h>
 
 #include <vector>
 

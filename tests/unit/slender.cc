@@ -12,7 +12,6 @@
 #include <lamella/material/material.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/linear_system.h>
-#include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
 

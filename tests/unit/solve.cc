@@ -11,7 +11,6 @@
 #include <lamella/solve/nonlinear_solver.h>
 #include <lamella/solve/parameters.h>
 #include <lamella/solve/penalty_matrix.h>
-#include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,7 +7,6 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/conditions/stabilization.h>
 #include <lamella/solve/checks.h>
-#include <lamella/solve/solution_check.h>
 
 #include <boost/test/unit_test.hpp>
 

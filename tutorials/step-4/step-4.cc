@@ -18,7 +18,6 @@
 #include <lamella/shape/shapes.h>
 #include <lamella/solve/checks.h>
 #include <lamella/solve/nonlinear_solver.h>
-#include <lamella/solve/solution_check.h>
 
 #include <deal.II/base/table_handler.h>
 

@@ -3,19 +3,128 @@
 #ifndef lamella_contact_contact_h
 #define lamella_contact_contact_h
 
-#include <lamella/contact/constraint_assembly.h>
+#include <lamella/contact/contact_pair.h>
 #include <lamella/contact/contact_sides.h>
 #include <lamella/contact/cylinder_contact_lines.h>
 #include <lamella/contact/gap_constraints.h>
 #include <lamella/contact/gap_integrals.h>
-#include <lamella/contact/pass_through.h>
+#include <lamella/contact/mesh_surface.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace lamella
 {
+  /// Contact points on the current surfaces of a contact, with the mortar
+  /// integrals over them, from which constraints are assembled.
+  struct EvaluatedPoints
+  {
+    const ContactSides &undeformed,             ///< Undeformed surfaces.
+      &sides;                                   ///< Current surfaces.
+    const std::vector<GapPoint>     &points;    ///< Points and projections.
+    const std::vector<GapIntegrals> &integrals; ///< One per constraint.
+  };
+
+  /// Gap that is added to the gap of a constraint [length], by the number of
+  /// its slave node, which pairings do not change.
+  using GapOffsets = std::map<unsigned int, double>;
+
+  /// Returns the multiplier functions of @p interface; null for constraints of
+  /// single points.
+  inline const SlaveSurface *
+  functions_of(const ContactInterface &interface)
+  {
+    return interface.discretization == Discretization::surface_to_surface ?
+             interface.surface.get() :
+             nullptr;
+  }
+
+  /// Sets positions, normals and functionals of the gap constraints of @p
+  /// interface, such that GapConstraint::gap() is the gap of @p at plus its
+  /// offset in @p offsets at the displacements @p u and load factor @p factor.
+  /// Constraints without a projection have the gap @p open [length].
+  void
+  set_gaps(const EvaluatedPoints &at,
+           const BlockVector     &u,
+           const LoadFactor      &factor,
+           const double           open,
+           const GapOffsets      &offsets,
+           ContactInterface      &interface);
+
+  /// Sets two slip functionals of each constraint i of @p interface, one for
+  /// each unit tangent t_a of its normal n, each with a functional per body:
+  ///   s_a = sum_k t_a . P_k . (v_2(X_k) - v_1(X_k)),
+  ///   P_k = 1/A_i int phi_i psi_k (I - n n) dA,
+  /// with trace functions psi_k, multiplier functions phi_i of integral A_i,
+  /// and displacements v_1 and v_2 of the two sides.
+  void
+  set_slips(const EvaluatedPoints &at, ContactInterface &interface);
+
+  /// Sets SlipConstraint::initial so that the slips of @p interface at @p u and
+  /// @p factor are the slip increments of @p integrals.
+  void
+  offset_slips(const std::vector<GapIntegrals> &integrals,
+               const BlockVector               &u,
+               const LoadFactor                &factor,
+               ContactInterface                &interface);
+
+  /// A node of a body that penetrates the surface of the other body.
+  struct EndPenetration
+  {
+    /// True for a node of the second body, false for one of the first.
+    bool   second = false;
+    double depth  = 0., ///< Penetration [length].
+      cell = 0.; ///< Depth of the penetrated cell along its normal [length].
+    /// Closest-point projection of the node onto the other surface.
+    MeshSurface::FacetPoint at = {};
+  };
+
+  /// Returns the node of either body with the deepest penetration into the
+  /// other surface in the configuration @p now; empty if none penetrates. If @p
+  /// of_ends is true, only nodes at body ends are considered, since they have
+  /// no constraint if a surface slides over them. Projections are at most @p
+  /// search_radius away [length]. @p paired are the surfaces that were paired.
+  std::optional<EndPenetration>
+  deepest_node(const ContactSides &paired,
+               const ContactSides &now,
+               const double        search_radius,
+               const bool          of_ends);
+
+  /// A surface and a rigid roller (cylinder) in one equilibrium state.
+  struct SurfaceAndRoller
+  {
+    const MeshSurface &surface; ///< Surface of the body, deformed.
+    const Obstacle    &roller;  ///< Roller at its current position.
+  };
+
+  /// Returns true if a surface passed through a rigid cylinder between two
+  /// equilibrium states, so that the later state has neither contact nor a
+  /// negative gap. With the vector r from the cylinder axis to a point of the
+  /// surface and the outward normal n, the function tests if at some point the
+  /// axis
+  ///   was ahead (r . n < 0) and is behind (r . n > 0),
+  /// and if the straight line between both vectors r, projected along the axis,
+  /// comes closer to it than the radius. Sampled points are half a radius
+  /// apart, but at least a fortieth of a facet. Both states must have the same
+  /// facets. Returns false for a plane.
+  bool
+  passes_through(const SurfaceAndRoller &before, const SurfaceAndRoller &after);
+
+  /// Returns true if one of two bodies passed through the other between two
+  /// equilibrium states. This is so if a surface node that was outside the
+  /// other body, or overlapped by at most the element depth, now overlaps by
+  /// more, so that pairing ignores it (exceeds_cell_depth()). A node that moved
+  /// around a body end also counts if it has a projection in both states.
+  bool
+  passes_through(const ContactSides &before, const ContactSides &after);
+
+  /// Returns true if the motion between the states reaches the smallest element
+  /// depth, so that passes_through() must be called.
+  bool
+  may_pass_through(const ContactSides &before, const ContactSides &after);
+
   /// Pairing of a contact. A restart needs it in addition to the State, but for
   /// `lines` and `step_begin`, which Contact::restore() creates again.
   struct ContactHistory

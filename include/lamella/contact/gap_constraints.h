@@ -9,6 +9,7 @@
 #define lamella_contact_gap_constraints_h
 
 #include <lamella/contact/contact_pair.h>
+#include <lamella/contact/contact_sides.h>
 #include <lamella/contact/pairing.h>
 #include <lamella/contact/slave_surface.h>
 
@@ -379,6 +380,20 @@ namespace lamella
   /// distance @p search_radius [length]. Checks overlap if undeformed.
   ContactInterface
   make_interface_within(const ContactSides &sides, const double search_radius);
+
+  /// Returns the discretization of contact between the surfaces @p sides. For
+  /// `automatic` it is node to node if every node that faces the other surface
+  /// within @p search_radius faces one of its nodes, else surface to surface.
+  Discretization
+  choose_discretization(const ContactSides &sides, const double search_radius);
+
+  /// Returns the gaps of node-to-node contact, one per pair of nodes at most @p
+  /// search_radius apart (pair_node_to_node()), with the smaller of both
+  /// tributary areas. Stores in @p interface how many nodes have no partner.
+  Gaps
+  node_to_node(const ContactSides &sides,
+               const double        search_radius,
+               ContactInterface   &interface);
 } // namespace lamella
 
 #endif

@@ -4,6 +4,9 @@
 #define lamella_contact_parameters_h
 
 #include <lamella/base/entry.h>
+#include <lamella/conditions/load.h>
+#include <lamella/conditions/stabilization.h>
+#include <lamella/contact/contact_pair.h>
 #include <lamella/contact/gap_constraints.h>
 
 #include <memory>
@@ -53,6 +56,16 @@ namespace lamella
     static std::shared_ptr<Obstacle>
     parse(const Entries &in, const std::string &name, const unsigned int body);
   };
+
+  /// Appends those of @p obstacles that a force presses to @p bodies
+  /// (GuidedObstacle), their forces to @p loads, and their springs to
+  /// @p stabilizations. Throws InputError if one is in none of @p contacts.
+  void
+  add_guided_obstacles(const Obstacles                &obstacles,
+                       const std::vector<ContactPair> &contacts,
+                       Bodies                         &bodies,
+                       std::vector<Load>              &loads,
+                       std::vector<Stabilization>     &stabilizations);
 } // namespace lamella
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <lamella/base/entry.h>
 #include <lamella/recover/named_quantity.h>
-#include <lamella/solve/harmonic_response.h>
+#include <lamella/solve/modes.h>
 
 #include <optional>
 

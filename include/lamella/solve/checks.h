@@ -5,12 +5,74 @@
 
 #include <lamella/solve/kkt_residual.h>
 #include <lamella/solve/linear_system.h>
-#include <lamella/solve/nonlinearity_estimate.h>
+#include <lamella/solve/tangent_operator.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace lamella
 {
+  class LinearSystem;
+  class Structure;
+  struct State;
+
+  /// Effects of large deflections that a linear solution neglects, estimated.
+  struct NonlinearityEstimate
+  {
+    /// Relative stiffening r = 2 U(s_m) / U, the largest of all bodies with a
+    /// considerable part of the energy: U is the strain energy of the body, and
+    /// U(s_m) that of the membrane stress due to its deflection (SecondOrder).
+    /// Forces at prescribed displacements are about 1 + r times linear ones.
+    double stiffening = 0.;
+    /// Index of the body with the largest relative stiffening.
+    unsigned int stiffened = 0;
+
+    /// Smallest positive lambda of (K + lambda K_G) v = 0 for fixed active
+    /// constraints, with the stiffness K and geometric stiffness K_G of linear
+    /// and membrane stresses (SecondOrder). The state buckles at lambda times
+    /// the loads if stresses grow in proportion. Its error is 5 % if lambda is
+    /// above 10, much less below. Empty if lambda is above 100, if short-wave
+    /// buckling is possible below lambda, if there is no compression, or if
+    /// `stiffening` is above 1.
+    std::optional<double> buckling_factor;
+    /// Index of the body with the largest energy in the buckling mode.
+    unsigned int buckled = 0;
+    /// Relative growth of the displacements u by the buckling mode, |c| / |u| /
+    /// (lambda - 1), with the buckling factor lambda. c is the component of u
+    /// along the mode in the energy norm. Zero for a straight column. Without
+    /// buckling factor: the first-order growth -u.K_G u / u.K u (see
+    /// `buckling_factor`), from 0 to 1 / (largest lambda considered).
+    double amplification = 0.;
+
+    /// Returns false beyond the range of linear kinematics.
+    bool
+    is_in_range() const
+    {
+      return stiffening <= 1. && buckling_factor.value_or(1.) >= 1.;
+    }
+  };
+
+  /// Returns the estimates for @p state, whose bodies have the strain energies
+  /// @p energies. @p solver, which has computed the state, solves a linear
+  /// system for the membrane stress and at most 30 for the Lanczos method, with
+  /// fixed active constraints. Modes that only springs restrain are excluded.
+  NonlinearityEstimate
+  beyond_linear(const Structure           &structure,
+                LinearSystem              &solver,
+                const State               &state,
+                const std::vector<double> &energies);
+
+  /// Returns warnings about the estimates @p found; none if stiffening and
+  /// amplification are below 1 % and loads below a tenth of the buckling load.
+  std::vector<std::string>
+  warnings_of(const NonlinearityEstimate &found, const Structure &structure);
+
+  /// Throws NumericsError if stiffening is above or buckling factor below 1.
+  void
+  check_linear_range(const NonlinearityEstimate &found,
+                     const Structure            &structure);
+
   /// Results of the checks of a load step: equilibrium, energy, the contact law
   /// and the range of linear kinematics. The force and moment balances of a
   /// body are skipped if its strain energy is below that of rounding errors.
@@ -73,6 +135,37 @@ namespace lamella
               const State                         &state,
               const LoadFactor                    &factor);
 
+
+  /// Throws NumericsError if @p state is not reliable, i.e. if
+  /// - stabilizing springs store more than a tenth of the energy,
+  /// - the last correction of a refinement exceeds 1e-6 of the displacements,
+  /// - the residual, or a force, moment or energy balance, exceeds 1e-3,
+  /// - a contact force is tensile,
+  /// - an error of the contact law exceeds 1e-6 of the displacements,
+  /// - values are not finite, or a rotation exceeds @p rotation_limit [rad], or
+  /// - the rms axial strain of a section exceeds 5 % (finite rotations).
+  void
+  check_solution(const State  &state,
+                 const Checks &checks,
+                 const double  rotation_limit);
+
+  /// Throws NumericsError if supports of the same points contradict each other
+  /// at finite rotations: if points in the state of @p here are not at their
+  /// prescribed positions at load factor @p at. The tolerance is ten times the
+  /// displacement error that rotation of warped sections causes.
+  void
+  check_followed(const TangentOperator &here, const LoadFactor &at);
+
+  /// Returns warnings about a reliable @p state, one sentence each, if
+  /// - bodies overlap initially, or penetrate by 1e-3 of the displacements,
+  /// - mean and pointwise gaps of a contact differ by 1e-2 of these,
+  /// - rotations exceed 0.1 rad, or springs store more than 1e-3 of the energy,
+  /// - errors of balances, or the first refinement correction, exceed 1e-7, or
+  /// - strains or rotations within elements are large (finite rotations).
+  std::vector<std::string>
+  warnings_of(const State                         &state,
+              const Checks                        &checks,
+              const std::vector<ContactInterface> &contacts);
 } // namespace lamella
 
 #endif
