@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/interruption.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>

@@ -6,7 +6,7 @@
 #include <lamella/adapt/theory_pieces.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/independent_rows.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/body/geometrically_exact_beam.h>
 #include <lamella/body/total_lagrangian_beam.h>
 

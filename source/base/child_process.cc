@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/child_process.h>
 #include <lamella/base/exceptions.h>
+#include <lamella/base/processes.h>
 
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/process.hpp>

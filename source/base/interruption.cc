@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/interruption.h>
+#include <lamella/base/processes.h>
 
 #include <algorithm>
 #include <array>

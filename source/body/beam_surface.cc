@@ -3,7 +3,7 @@
 // The surfaces of a beam: points, facets, and how these hang together.
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/independent_rows.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_topology.h>
 

@@ -8,7 +8,6 @@
 #include <lamella/conditions/couple.h>
 #include <lamella/conditions/expression.h>
 #include <lamella/conditions/load.h>
-#include <lamella/conditions/load_moments.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

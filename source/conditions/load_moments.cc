@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/conditions/load_moments.h>
+#include <lamella/conditions/load.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/independent_rows.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/conditions/stabilization.h>
 
 namespace lamella

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/interruption.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/comparison.h>

@@ -3,7 +3,6 @@
 #include <lamella/base/processes.h>
 #include <lamella/linear/factorization.h>
 #include <lamella/linear/linear_solver.h>
-#include <lamella/linear/own_rows.h>
 #include <lamella/linear/stiffness_matrix.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

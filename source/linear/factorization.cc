@@ -2,7 +2,6 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/linear/factorization.h>
-#include <lamella/linear/forward_solved_rows.h>
 
 #include <cholmod.h>
 

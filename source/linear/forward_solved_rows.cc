@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/linear/forward_solved_rows.h>
+#include <lamella/linear/factorization.h>
 
 #include <deal.II/lac/lapack_templates.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
-#include <lamella/material/plausibility.h>
+#include <lamella/material/parameters.h>
 
 #include <algorithm>
 #include <cmath>

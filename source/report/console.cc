@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/body/fields.h>
 #include <lamella/contact/contact_patch.h>

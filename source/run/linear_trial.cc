@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/sentence.h>
 #include <lamella/base/text.h>
 #include <lamella/conditions/follower_load.h>
 #include <lamella/run/linear_trial.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/exceptions.h>
-#include <lamella/base/interruption.h>
 #include <lamella/base/processes.h>
-#include <lamella/base/sentence.h>
+#include <lamella/base/text.h>
 #include <lamella/report/console.h>
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>

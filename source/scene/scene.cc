@@ -5,8 +5,8 @@
 #include <lamella/scene/rotation_rules.h>
 #include <lamella/scene/scene_checks.h>
 #include <lamella/scene/subsection_kinds.h>
-#include <lamella/shape/corner_layers.h>
 #include <lamella/shape/properties.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <algorithm>
 #include <regex>

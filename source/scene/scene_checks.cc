@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/memory.h>
 #include <lamella/base/text.h>
-#include <lamella/material/plausibility.h>
+#include <lamella/material/parameters.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/scene_checks.h>
 

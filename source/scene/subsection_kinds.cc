@@ -4,7 +4,6 @@
 #include <lamella/conditions/parameters.h>
 #include <lamella/contact/parameters.h>
 #include <lamella/material/parameters.h>
-#include <lamella/material/plausibility.h>
 #include <lamella/scene/subsection_kinds.h>
 #include <lamella/scene/theory_notes.h>
 #include <lamella/shape/parameters.h>

@@ -5,7 +5,7 @@
 #include <lamella/section/lagrange_element.h>
 #include <lamella/section/section.h>
 #include <lamella/section/taylor_element.h>
-#include <lamella/shape/corner_layers.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>

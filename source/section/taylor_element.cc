@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/gauss_lobatto_basis.h>
-#include <lamella/base/independent_rows.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/section/taylor_element.h>
 
 #include <deal.II/base/polynomial.h>

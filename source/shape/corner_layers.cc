@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/shape/corner_layers.h>
+#include <lamella/shape/section_mesh.h>
 #include <lamella/shape/shapes.h>
 
 #include <deal.II/grid/tria_description.h>

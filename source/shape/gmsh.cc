@@ -6,7 +6,6 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/shape/curve_normals.h>
-#include <lamella/shape/gmsh_checks.h>
 #include <lamella/shape/gmsh_file.h>
 #include <lamella/shape/properties.h>
 #include <lamella/shape/shapes.h>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/text.h>
-#include <lamella/shape/gmsh_checks.h>
+#include <lamella/shape/gmsh_file.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
-#include <lamella/linear/own_rows.h>
+#include <lamella/linear/stiffness_matrix.h>
 #include <lamella/solve/penalty_matrix.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/child_process.h>
 #include <lamella/base/entry.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
+#include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/base/version.h>
 #include <lamella/recover/results.h>

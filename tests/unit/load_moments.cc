@@ -3,7 +3,7 @@
 // Integrals of loads over cells by composite Gauss rules, against integrals by
 // hand.
 
-#include <lamella/conditions/load_moments.h>
+#include <lamella/conditions/load.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,7 +11,6 @@
 #include <lamella/material/elasticity.h>
 #include <lamella/material/material.h>
 #include <lamella/material/parameters.h>
-#include <lamella/material/plausibility.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -10,9 +10,9 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/report/tables.h>
 #include <lamella/section/theory_limits.h>
-#include <lamella/shape/corner_layers.h>
 #include <lamella/shape/parameters.h>
 #include <lamella/shape/properties.h>
+#include <lamella/shape/section_mesh.h>
 
 #include <boost/test/unit_test.hpp>
 

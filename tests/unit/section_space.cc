@@ -9,7 +9,7 @@
 
 #include <lamella/adapt/node_fields.h>
 #include <lamella/base/exceptions.h>
-#include <lamella/base/independent_rows.h>
+#include <lamella/base/linear_functional.h>
 #include <lamella/body/body_solver.h>
 #include <lamella/section/saint_venant.h>
 #include <lamella/section/section_response.h>

@@ -7,6 +7,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <string>
+#include <vector>
+
 namespace lamella
 {
   // The MPI processes of a run. Each process stores the whole scene and whole
@@ -92,6 +95,43 @@ namespace lamella
   /// controlled by environment variables only.
   void
   limit_threads(const unsigned int n);
+
+  /// Replaces this process by the executable at the path @p program, without a
+  /// shell, with the arguments @p words. MPI must not have been started before.
+  /// Throws InputError if the program cannot be started.
+  [[noreturn]] void
+  exec_program(const std::string              &program,
+               const std::vector<std::string> &words);
+
+  /// Returns the path of a python3 that can import @p module: /usr/bin/python3
+  /// or the first python3 in PATH. Returns an empty path if there is none.
+  std::string
+  python_with(const std::string &module);
+
+  /// Returns the path of Lamella's script @p name in the installation or the
+  /// source tree. Throws InputError if it is in neither.
+  std::string
+  path_of_script(const std::string &name);
+
+  /// Returns the absolute path of the program that this process runs.
+  std::string
+  executable_path();
+
+  /// Installs a signal handler that prints @p words (at most 1000 characters)
+  /// to standard error if the user ends the program by Ctrl-C or kill. The exit
+  /// status is then 130 or 143. Must be called by one thread of one process.
+  void
+  set_interruption_message(const std::string &words);
+
+  /// Delays the signals of Ctrl-C and kill during the lifetime of the object,
+  /// so that files are complete. A second equal signal ends the program.
+  class SignalBlock
+  {
+  public:
+    SignalBlock();
+    SignalBlock(const SignalBlock &) = delete;
+    ~SignalBlock();
+  };
 } // namespace lamella
 
 #endif

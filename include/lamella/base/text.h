@@ -3,6 +3,8 @@
 #ifndef lamella_base_text_h
 #define lamella_base_text_h
 
+#include <lamella/base/exceptions.h>
+
 #include <deal.II/base/point.h>
 
 #include <string>
@@ -72,6 +74,26 @@ namespace lamella
   /// the length of @p v are printed as 0.
   std::string
   to_text(const dealii::Tensor<1, 3> &v);
+
+  /// Returns the text of @p message without its identifier, and without white
+  /// space and full stops at its end, to be inserted into a longer sentence.
+  inline std::string
+  strip_period(const std::string &message)
+  {
+    std::string text = trimmed(Message(message).text);
+    while (!text.empty() && text.back() == '.')
+      text.pop_back();
+    return text;
+  }
+
+  /// Returns the console line `Note: TEXT. [ID]` for a @p note `ID: TEXT`.
+  inline std::string
+  note_line(const std::string &note)
+  {
+    Message message(note);
+    message.text = "Note: " + message.text + ".";
+    return message.shown();
+  }
 } // namespace lamella
 
 #endif

@@ -9,6 +9,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+#include <vector>
+
 namespace lamella
 {
   /// Declares and parses `subsection Material NAME`, which has exactly one of
@@ -29,6 +32,35 @@ namespace lamella
     static Material
     parse(const Entries &in, const Units &units);
   };
+
+  /// Returns a warning if the moduli of @p material are probably not in
+  /// @p units: if all Young's moduli are below 1 MPa or a modulus is above 2
+  /// TPa. The warning names the material @p name. The result is empty if the
+  /// moduli are plausible or the scene has no units.
+  std::string
+  moduli_warning(const std::string &name,
+                 const Material    &material,
+                 const Units       &units);
+
+  /// Returns warnings about values of @p material whose unit is probably wrong:
+  /// moduli_warning(), and values outside of the ranges
+  ///   strength / modulus          1e-4 to 0.3 (whiskers)
+  ///   ultimate strains            below 0.3
+  ///   G_12 / E_1, G_12 / E_2      1e-3 to 10
+  ///   G_13 / E_1, G_23 / E_2      1e-3 to 10; only of plies (E_3 <= E_1)
+  ///   density                     5 to 25,000 kg/m^3 (foams, osmium)
+  ///   thermal expansion           below 1e-3 / K (rubbers have 3e-4)
+  /// Ratios are also checked in scenes without units. Each warning names the
+  /// material @p name and the value farthest outside of the range.
+  std::vector<std::string>
+  material_warnings(const std::string &name,
+                    const Material    &material,
+                    const Units       &units);
+
+  /// Returns the name (E1, E2 or E3) and the value [force/length^2] of the
+  /// largest Young's modulus of @p material.
+  std::pair<const char *, double>
+  largest_modulus(const Material &material);
 } // namespace lamella
 
 #endif
