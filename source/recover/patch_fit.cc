@@ -2,7 +2,7 @@
 
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/independent_rows.h>
-#include <lamella/recover/patch_fit.h>
+#include <lamella/recover/recovery.h>
 
 #include <algorithm>
 #include <cmath>
