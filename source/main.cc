@@ -5,13 +5,10 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/version.h>
 #include <lamella/estimate/comparison.h>
-#include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/export/calculix_deck.h>
-#include <lamella/report/page.h>
+#include <lamella/report/results_folder.h>
 #include <lamella/run/command_line.h>
-#include <lamella/run/linear_trial.h>
-#include <lamella/run/new_scene.h>
 #include <lamella/run/run_scene.h>
 #include <lamella/scene/scene.h>
 #include <lamella/trade/trade.h>

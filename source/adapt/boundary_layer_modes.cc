@@ -3,7 +3,6 @@
 #include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/base/arithmetic.h>
-#include <lamella/body/beam.h>
 #include <lamella/body/body_solver.h>
 #include <lamella/conditions/row_reduction.h>
 #include <lamella/conditions/stabilization.h>

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 // Graded meshes of axes by equidistribution of the density 1 / s(y) of elements
@@ -19,6 +20,9 @@
 // 2. size_at(): the element size s(y), which grows linearly from each place;
 // 3. graded_breaks(): N = int dy / s elements between two places, each with
 //    1 / N of that integral.
+
+
+
 namespace lamella
 {
   using namespace dealii;
@@ -479,5 +483,47 @@ namespace lamella
       }
     for (BodyDescription &body : bodies)
       body.axis.refinement_factor = 0.;
+  }
+
+
+
+  void
+  refine_at(AxisMesh           &axis,
+            const double        y,
+            const double        size,
+            const GradingRules &rules)
+  {
+    const std::vector<double> lengths = element_lengths(axis);
+    std::vector<double>       ends;
+    double                    begin = 0., longest = size;
+    for (const double length : lengths)
+      {
+        if (size == 0. && begin <= y && y <= begin + length)
+          longest = std::max(longest, 0.5 * length);
+        begin += length;
+      }
+    const double near = rules.rounding_allowance * longest;
+    const std::function<void(double, double)> add = [&](const double a,
+                                                        const double b) {
+      const bool   has_y = a + near < y && y + near < b;
+      const double most = longest + rules.growth * std::max({0., a - y, y - b}),
+                   middle = has_y ? y : 0.5 * (a + b);
+      if (has_y || b - a > (1. + arithmetic::same_in_element) * most)
+        {
+          add(a, middle);
+          add(middle, b);
+        }
+      else
+        ends.push_back(b);
+    };
+    begin = 0.;
+    for (const double length : lengths)
+      {
+        add(begin, begin + length);
+        begin += length;
+      }
+    ends.pop_back();
+    axis.breaks = ends;
+    axis.elements.assign(ends.size() + 1, 1);
   }
 } // namespace lamella

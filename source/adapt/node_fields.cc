@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/adapt/local_interactions.h>
-#include <lamella/adapt/plan.h>
 #include <lamella/adapt/section_fields.h>
-#include <lamella/adapt/theory_pieces.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/base/exceptions.h>
 #include <lamella/base/linear_functional.h>

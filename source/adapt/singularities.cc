@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/adapt/plan.h>
-#include <lamella/adapt/singularities.h>
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam.h>
 #include <lamella/body/surface_topology.h>

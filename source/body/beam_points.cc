@@ -8,7 +8,6 @@
 #include <lamella/body/fields.h>
 #include <lamella/body/line_crossings.h>
 
-#include <deal.II/base/quadrature_lib.h>
 
 #include <optional>
 

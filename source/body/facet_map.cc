@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/arithmetic.h>
-#include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/body/facet_map.h>
 
 #include <algorithm>
-#include <array>
 
 namespace lamella
 {

@@ -16,7 +16,6 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -16,7 +16,6 @@
 #include <deal.II/grid/manifold.h>
 
 #include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 
 namespace lamella
 {

@@ -2,7 +2,7 @@
 
 #include <lamella/axis/axis.h>
 #include <lamella/base/arithmetic.h>
-#include <lamella/estimate/axis_marks.h>
+#include <lamella/estimate/enrichment.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include <lamella/base/text.h>
 #include <lamella/estimate/comparison.h>
 #include <lamella/estimate/estimation.h>
-#include <lamella/estimate/local_errors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include <lamella/estimate/comparison_models.h>
 
 #include <limits>
-#include <map>
 #include <ostream>
 
 namespace lamella

@@ -2,7 +2,6 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
-#include <lamella/scene/scene.h>
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/adapt/singularities.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/base/text.h>
 #include <lamella/estimate/error_bar.h>
 

@@ -2,7 +2,7 @@
 
 #include <lamella/body/beam.h>
 #include <lamella/estimate/enrichment.h>
-#include <lamella/estimate/initial_model.h>
+#include <lamella/estimate/tolerance_run.h>
 
 #include <algorithm>
 #include <ostream>

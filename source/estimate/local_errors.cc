@@ -3,7 +3,7 @@
 #include <lamella/base/arithmetic.h>
 #include <lamella/body/beam_surplus.h>
 #include <lamella/estimate/local_errors.h>
-#include <lamella/recover/box_points.h>
+#include <lamella/recover/sampler.h>
 #include <lamella/scene/scene.h>
 
 #include <algorithm>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/text.h>
-#include <lamella/estimate/axis_marks.h>
+#include <lamella/estimate/comparison.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/estimation.h>
-#include <lamella/estimate/recipes.h>
-#include <lamella/estimate/surpluses.h>
 
 #include <algorithm>
 #include <cmath>

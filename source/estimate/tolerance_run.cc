@@ -4,11 +4,9 @@
 #include <lamella/base/output_file.h>
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
-#include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/comparison.h>
-#include <lamella/estimate/comparison_models.h>
+#include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/error_bar.h>
-#include <lamella/estimate/initial_model.h>
 #include <lamella/estimate/tolerance_run.h>
 #include <lamella/report/goals_table.h>
 #include <lamella/report/tables.h>

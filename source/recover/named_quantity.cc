@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/base/entry.h>
 #include <lamella/body/fields.h>
 #include <lamella/contact/contact_patch.h>
 #include <lamella/recover/named_quantity.h>

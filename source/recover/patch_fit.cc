@@ -2,7 +2,7 @@
 
 #include <lamella/base/gauss_lobatto_basis.h>
 #include <lamella/base/linear_functional.h>
-#include <lamella/recover/patch_fit.h>
+#include <lamella/recover/recovery.h>
 
 #include <algorithm>
 #include <cmath>

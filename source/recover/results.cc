@@ -4,7 +4,6 @@
 #include <lamella/base/text.h>
 #include <lamella/recover/results.h>
 
-#include <algorithm>
 #include <cmath>
 #include <regex>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/output_file.h>
-#include <lamella/report/contact_surface.h>
+#include <lamella/report/vtu.h>
 
 #include <deal.II/base/utilities.h>
 

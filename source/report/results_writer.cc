@@ -8,8 +8,6 @@
 #include <lamella/report/results_writer.h>
 #include <lamella/report/section_stiffness.h>
 #include <lamella/report/summary.h>
-#include <lamella/report/tables.h>
-#include <lamella/report/vtu.h>
 
 #include <filesystem>
 

@@ -4,7 +4,6 @@
 #include <lamella/base/processes.h>
 #include <lamella/body/fields.h>
 #include <lamella/report/vtu.h>
-#include <lamella/report/vtu_file.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace lamella
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <lamella/report/vtu_file.h>
+#include <lamella/report/vtu.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parallel.h>

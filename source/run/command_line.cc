@@ -3,7 +3,6 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
 #include <lamella/run/command_line.h>
-#include <lamella/run/new_scene.h>
 
 #include <cmath>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include <lamella/base/entry.h>
 #include <lamella/base/text.h>
 #include <lamella/recover/named_quantity.h>
-#include <lamella/run/find_modes.h>
+#include <lamella/run/simulation.h>
 #include <lamella/solve/modes.h>
 #include <lamella/solve/small_motions.h>
 

@@ -3,7 +3,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/output_file.h>
 #include <lamella/base/text.h>
-#include <lamella/run/new_scene.h>
+#include <lamella/run/command_line.h>
 
 #include <filesystem>
 #include <ostream>

@@ -6,7 +6,6 @@
 #include <lamella/base/processes.h>
 #include <lamella/base/text.h>
 #include <lamella/report/validation.h>
-#include <lamella/run/find_modes.h>
 #include <lamella/run/first_failure.h>
 #include <lamella/run/simulation.h>
 #include <lamella/solve/memory_budget.h>

@@ -4,7 +4,7 @@
 
 #include <lamella/base/exceptions.h>
 #include <lamella/base/text.h>
-#include <lamella/scene/scene_lines.h>
+#include <lamella/scene/scene_text.h>
 
 #include <algorithm>
 #include <sstream>

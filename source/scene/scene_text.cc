@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/patterns.h>
-#include <lamella/scene/scene_lines.h>
+#include <lamella/scene/scene_text.h>
 
 #include <algorithm>
 #include <filesystem>

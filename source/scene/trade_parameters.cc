@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <lamella/base/patterns.h>
-#include <lamella/scene/trade_parameters.h>
+#include <lamella/scene/goal_parameters.h>
 #include <lamella/section/theory.h>
 
 #include <algorithm>

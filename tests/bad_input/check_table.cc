@@ -26,7 +26,7 @@
 #include <lamella/base/exceptions.h>
 #include <lamella/base/processes.h>
 #include <lamella/material/parameters.h>
-#include <lamella/run/new_scene.h>
+#include <lamella/run/command_line.h>
 #include <lamella/run/run_scene.h>
 #include <lamella/scene/scene.h>
 #include <lamella/scene/scene_checks.h>

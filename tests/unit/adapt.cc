@@ -5,7 +5,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/adapt/boundary_layer_cache.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/adapt/graded_axis.h>
 #include <lamella/adapt/node_fields.h>
 #include <lamella/body/body_solver.h>

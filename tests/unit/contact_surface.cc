@@ -4,7 +4,7 @@
 
 #include "fixtures.h"
 
-#include <lamella/report/contact_surface.h>
+#include <lamella/report/vtu.h>
 
 #include <boost/test/unit_test.hpp>
 

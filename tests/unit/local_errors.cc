@@ -3,7 +3,6 @@
 // Where errors of goals come from: the shares of elements, contact and
 // remainder against the change of the goal itself.
 
-#include <lamella/estimate/axis_marks.h>
 #include <lamella/estimate/enrichment.h>
 #include <lamella/estimate/local_errors.h>
 

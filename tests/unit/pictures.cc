@@ -8,7 +8,7 @@
 #include <lamella/adapt/node_fields.h>
 #include <lamella/body/fields.h>
 #include <lamella/body/parameters.h>
-#include <lamella/report/vtu_file.h>
+#include <lamella/report/vtu.h>
 
 #include <boost/test/unit_test.hpp>
 

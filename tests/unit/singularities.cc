@@ -3,7 +3,7 @@
 // Where stresses have no limit: known from loads, supports and sections, before
 // anything is solved.
 
-#include <lamella/adapt/singularities.h>
+#include <lamella/adapt/local_interactions.h>
 #include <lamella/estimate/comparison.h>
 #include <lamella/estimate/error_bar.h>
 

@@ -8,7 +8,7 @@
 #ifndef lamella_adapt_node_fields_h
 #define lamella_adapt_node_fields_h
 
-#include <lamella/adapt/boundary_layer_cache.h>
+#include <lamella/adapt/boundary_layer_modes.h>
 #include <lamella/adapt/plan.h>
 #include <lamella/body/parameters.h>
 #include <lamella/recover/requests.h>

@@ -6,7 +6,6 @@
 #include <lamella/body/axis_loop.h>
 #include <lamella/body/body.h>
 #include <lamella/body/fields.h>
-#include <lamella/body/placement.h>
 
 namespace lamella
 {

@@ -4,7 +4,6 @@
 #define lamella_body_fields_h
 
 #include <lamella/body/body.h>
-#include <lamella/body/placement.h>
 #include <lamella/material/material.h>
 #include <lamella/section/finite_strain.h>
 

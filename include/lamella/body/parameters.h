@@ -7,7 +7,6 @@
 #include <lamella/base/entry.h>
 #include <lamella/body/body.h>
 #include <lamella/body/hexahedral_mesh.h>
-#include <lamella/body/placement.h>
 #include <lamella/section/theory.h>
 #include <lamella/shape/section_mesh.h>
 

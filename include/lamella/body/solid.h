@@ -6,7 +6,6 @@
 #include <lamella/body/body.h>
 #include <lamella/body/hexahedral_mesh.h>
 #include <lamella/body/hexahedron.h>
-#include <lamella/body/placement.h>
 #include <lamella/section/finite_strain.h>
 #include <lamella/section/ply_laws.h>
 

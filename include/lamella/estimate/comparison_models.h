@@ -3,7 +3,6 @@
 #ifndef lamella_estimate_comparison_models_h
 #define lamella_estimate_comparison_models_h
 
-#include <lamella/recover/results.h>
 #include <lamella/run/simulation.h>
 #include <lamella/scene/scene.h>
 

@@ -3,7 +3,7 @@
 #ifndef lamella_recover_interlaminar_h
 #define lamella_recover_interlaminar_h
 
-#include <lamella/body/placement.h>
+#include <lamella/body/body.h>
 #include <lamella/recover/face_tractions.h>
 #include <lamella/recover/recovery.h>
 #include <lamella/shape/section_mesh.h>

@@ -4,9 +4,12 @@
 #define lamella_recover_named_quantity_h
 
 #include <lamella/base/arithmetic.h>
+#include <lamella/base/entry.h>
 #include <lamella/contact/contact_traction.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/results.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <map>
 #include <optional>
@@ -262,6 +265,29 @@ namespace lamella
     std::vector<Mode>     natural_modes, buckling_modes;
     std::vector<ProbeRow> probes;
   };
+
+  /// Entries of `subsection Measure NAME`, a difference of two probe results
+  /// that can be divided by a number or length: Of, Over, References.
+  struct MeasureParameters
+  {
+    /// Declares the entries with defaults, patterns and descriptions.
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /// Reads the measure @p name, a difference of results of @p probes. Of has
+    /// the form PROBE[/PLY]: COLUMN - PROBE[/PLY]: COLUMN, Over is a number or
+    /// `distance` (of the probes). Throws InputError for other forms, columns
+    /// of different units, a difference that is always zero, and if Over is
+    /// zero.
+    static Measure
+    parse(const Entries            &in,
+          const std::string        &name,
+          const std::vector<Probe> &probes);
+  };
+
+  /// Throws InputError if a measure has the name of another object.
+  void
+  check_names_of_measures(const QuantityNames &names);
 } // namespace lamella
 
 #endif

@@ -3,6 +3,10 @@
 #ifndef lamella_report_results_folder_h
 #define lamella_report_results_folder_h
 
+#include <lamella/recover/results.h>
+
+#include <cstdint>
+#include <map>
 #include <string>
 
 namespace lamella
@@ -64,6 +68,48 @@ namespace lamella
     /// Descriptor of the locked folder; -1 except on the root process.
     int descriptor = -1;
   };
+
+  /// VTU files by the name of their collection (`solution` or `contact_NAME`):
+  /// number of each load step with the name of its file, in order.
+  using VtuFiles =
+    std::map<std::string, std::vector<std::pair<double, std::string>>>;
+
+  /// Data from which an interrupted analysis is resumed after its last
+  /// completed load step, stored in the file `restart` (binary, exact).
+  struct Restart
+  {
+    std::string version; ///< Version of the program.
+    std::string scene;   ///< Text of the scene with the values of all entries.
+    /// True if the analysis is complete (the members below are then empty);
+    /// false if load steps are missing.
+    bool finished = false;
+    /// Completed load steps, without checks and fields. Displacements and
+    /// contact forces are stored for the last step only.
+    std::vector<StepResults> steps;
+    /// Size [bytes] of each table by file name. Data beyond this size belong to
+    /// an incomplete load step.
+    std::map<std::string, std::uint64_t> sizes;
+    /// VTU files of the completed steps.
+    VtuFiles vtu_files;
+  };
+
+  /// Writes @p restart atomically to the folder @p directory. Throws InputError
+  /// on failure. Must be called by one process only.
+  void
+  write_restart(const Restart &restart, const std::string &directory);
+
+  /// Returns the restart data in @p directory. Throws InputError if they are
+  /// missing or damaged, if version or @p scene differ, or if the analysis is
+  /// complete.
+  Restart
+  read_restart(const std::string &directory, const std::string &scene);
+
+  /// Implements `lamella report DIR`: writes the results in @p folder to the
+  /// self-contained HTML file @p target. The current process is replaced by the
+  /// script scripts/report.py (doc/guides/report.md). Throws InputError if the
+  /// script, or python3 with Jinja2, is not found.
+  [[noreturn]] void
+  make_page(const std::string &folder, const std::string &target);
 } // namespace lamella
 
 #endif

@@ -2,17 +2,16 @@
 
 // The room `report`: output of results. From Results it writes all files of
 // a run (tables, summary, VTU, restart) and the console output. It computes
-// the stiffness of sections, and reads restart data. page.h runs `lamella
+// the stiffness of sections, and reads restart data. make_page() runs `lamella
 // report`. Apart from these it does not compute.
 
 #ifndef lamella_report_results_writer_h
 #define lamella_report_results_writer_h
 
 #include <lamella/recover/strength_sweep.h>
-#include <lamella/report/contact_surface.h>
-#include <lamella/report/restart.h>
 #include <lamella/report/results_folder.h>
 #include <lamella/report/tables.h>
+#include <lamella/report/vtu.h>
 #include <lamella/shape/section_geometry.h>
 
 #include <functional>

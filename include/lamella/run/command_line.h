@@ -5,6 +5,7 @@
 
 #include <lamella/base/names.h>
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,18 @@ namespace lamella
   /// Returns the text that --help prints, with the meaning of exit statuses.
   std::string
   usage();
+
+  /// Returns the names of the templates for new scenes, the default first.
+  std::vector<std::string>
+  kinds_of_new_scenes();
+
+  /// Writes the template @p kind to the scene file NAME.prm, where @p name is
+  /// NAME or FOLDER/NAME. Prints how to run it to @p out. Throws InputError for
+  /// an unknown template, and if the file exists or cannot be written.
+  void
+  write_new_scene(const std::string &name,
+                  const std::string &kind,
+                  std::ostream      &out);
 } // namespace lamella
 
 #endif

@@ -14,13 +14,12 @@
 #include <lamella/conditions/load.h>
 #include <lamella/conditions/support.h>
 #include <lamella/contact/parameters.h>
-#include <lamella/recover/measure.h>
+#include <lamella/recover/named_quantity.h>
 #include <lamella/recover/requests.h>
 #include <lamella/recover/strength_sweep.h>
 #include <lamella/scene/find.h>
 #include <lamella/scene/goal_parameters.h>
 #include <lamella/scene/scene_text.h>
-#include <lamella/scene/trade_parameters.h>
 #include <lamella/shape/shapes.h>
 #include <lamella/solve/parameters.h>
 

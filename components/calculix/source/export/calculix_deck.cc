@@ -7,7 +7,7 @@
 #include <lamella/base/version.h>
 #include <lamella/export/calculix_deck.h>
 #include <lamella/export/calculix_mesh.h>
-#include <lamella/recover/box_points.h>
+#include <lamella/recover/sampler.h>
 
 #include <nlohmann/json.hpp>
 
