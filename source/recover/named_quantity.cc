@@ -270,12 +270,9 @@ namespace lamella
       quantity.given = first_of(probe.references, column);
       return quantity;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// Returns the value of the mode @p name.
     NamedQuantity
     find_mode(const Entry                  &text,

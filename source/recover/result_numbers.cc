@@ -50,12 +50,9 @@ namespace lamella
           return body.materials[row.ply];
       return "";
     }
-  } // namespace
 
 
 
-  namespace
-  {
     std::vector<Mode>
     without_shapes(std::vector<Mode> modes)
     {

@@ -146,12 +146,9 @@ namespace lamella
               "Constrain this motion by a Support.");
       return n;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// What acts in volumes the deck does not say.
     void
     check_no_volume_loads(const Scene &scene)
