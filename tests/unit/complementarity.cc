@@ -43,8 +43,9 @@ namespace
       W.first.push_back(i + 1);
     W.matrix = problem.matrix;
     DenseInterfaceSystem system(W, W.by_points(problem.q), PointVectors(n));
-    const auto           found = solve_interface(
-      system, system.points(std::vector<double>(n, 0.)), start, {});
+    const std::vector<std::shared_ptr<const InterfaceLaw>> laws(
+      n, std::make_shared<UnilateralContact>());
+    const auto found = solve_interface(system, system.points(laws), start, {});
     ComplementaritySolution result;
     result.iterations = found.iterations;
     for (unsigned int i = 0; i < n; ++i)
