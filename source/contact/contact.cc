@@ -324,7 +324,8 @@ namespace lamella
       {
         const auto shares =
           shares_of(functions_of(interface), q, history.points[q]);
-        if (std::all_of(shares.begin(), shares.end(), [&](const auto &share) {
+        if (!interface.is_tied() &&
+            std::all_of(shares.begin(), shares.end(), [&](const auto &share) {
               return forces[share.first] == 0.;
             }))
           history.points[q].area = 0.;

@@ -128,7 +128,7 @@ namespace lamella
     // All forces, also those of rows without an equation
     // (refine_contact()).
     for (unsigned int r = 0; r < rows.size() && !state.force.empty(); ++r)
-      if (state.force[r] != 0.)
+      if (state.force[r] != 0. || rows[r].is_tied())
         add_force(rows[r],
                   state.force[r],
                   state.friction.empty() ? Tensor<1, 3>() :

@@ -66,7 +66,8 @@ namespace lamella
     state.active.erase(std::remove_if(state.active.begin(),
                                       state.active.end(),
                                       [&](const unsigned int row) {
-                                        return state.force[row] <= 0.;
+                                        return state.force[row] <= 0. &&
+                                               !all[row].is_tied();
                                       }),
                        state.active.end());
   }
@@ -190,7 +191,7 @@ namespace lamella
     for (unsigned int r = 0; r < numbered.size(); ++r)
       {
         // Points without a contact force have no friction.
-        const double bears = state.force[r] == 0. ? 0. : 1.;
+        const double bears = state.force[r] != 0. || numbered[r].is_tied();
         of.shear[r]        = bears * in_scene(numbered[r], along[r][0]);
         of.direction[r]    = bears * in_scene(numbered[r], along[r][1]);
         of.before[r]       = in_scene(numbered[r], along[r][2]);
@@ -295,7 +296,7 @@ namespace lamella
           u, factor, all[c], pairings[c], force);
         for (unsigned int k = 0; k < force.size(); ++k)
           {
-            if (force[k] == 0.)
+            if (force[k] == 0. && !all[c].is_tied())
               continue;
             if (there.rows[k].parts.empty())
               return false;
@@ -319,11 +320,12 @@ namespace lamella
       {
         const double g = numbered[row].gap(state.u, factor);
         largest        = std::max(largest,
-                           state.force[row] == 0. ?
+                           state.force[row] == 0. && !numbered[row].is_tied() ?
                                     -g :
                                     std::abs(g + law_compliance(numbered[row]) *
                                             state.force[row]));
-        if (state.force[row] != 0. && !state.friction.empty())
+        if ((state.force[row] != 0. || numbered[row].is_tied()) &&
+            !state.friction.empty())
           largest = std::max(largest,
                              friction_error(numbered[row], row, state, factor));
       }

@@ -182,12 +182,11 @@ namespace lamella
     /// Friction results; empty for a contact without friction.
     std::optional<Friction> friction = {};
 
-    /// Returns true if the contact point transmits a normal force; forces of
-    /// ties may be tensile.
+    /// Returns true if the contact point transmits a force.
     bool
     touches() const
     {
-      return force != 0.;
+      return force != 0. || (friction && friction->shear.norm() != 0.);
     }
   };
 
