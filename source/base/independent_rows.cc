@@ -28,16 +28,16 @@ namespace lamella
 
 
     /// Row @p row of @p A less its parts along @p directions, unit vectors.
-    Vector<double>
-    rest_of_row(const LAPACKFullMatrix<double>    &A,
-                const unsigned int                 row,
-                const std::vector<Vector<double>> &directions)
+    Vector
+    rest_of_row(const LAPACKFullMatrix<double> &A,
+                const unsigned int              row,
+                const std::vector<Vector>      &directions)
     {
-      Vector<double> rest(A.n());
+      Vector rest(A.n());
       for (unsigned int c = 0; c < A.n(); ++c)
         rest[c] = A(row, c);
       for (unsigned int pass = 0; pass < 2; ++pass)
-        for (const Vector<double> &known : directions)
+        for (const Vector &known : directions)
           rest.add(-(rest * known), known);
       return rest;
     }
@@ -53,10 +53,10 @@ namespace lamella
     for (unsigned int c = 0; c < A.n(); ++c)
       for (unsigned int i = 0; i < A.m(); ++i)
         squares[i] += A(i, c) * A(i, c);
-    std::vector<unsigned int>   chosen;
-    std::vector<Vector<double>> directions;
-    Vector<double>              parts(A.m());
-    double                      longest = 0.;
+    std::vector<unsigned int> chosen;
+    std::vector<Vector>       directions;
+    Vector                    parts(A.m());
+    double                    longest = 0.;
     for (const double square : squares)
       longest = std::max(longest, square);
     while (chosen.size() < std::min(A.n(), A.m()))
@@ -64,9 +64,9 @@ namespace lamella
         const auto next = first_of_largest(squares);
         if (*next <= relative * relative * longest)
           break;
-        const unsigned int row   = next - squares.begin();
-        *next                    = 0.;
-        Vector<double> direction = rest_of_row(A, row, directions);
+        const unsigned int row = next - squares.begin();
+        *next                  = 0.;
+        Vector direction       = rest_of_row(A, row, directions);
         // The squares are differences: what is left may be less.
         if (direction.l2_norm() <= relative * std::sqrt(longest))
           continue;
