@@ -94,7 +94,7 @@ namespace lamella
 
 
 
-    /// What ties do not have.
+    /// Refuses entries that ties do not have.
     void
     check_tie(const ContactPair &contact, const Entries &in)
     {
